@@ -1,0 +1,28 @@
+# Compiler, linker and warnings. Our code is built with warnings as errors; generated code is not ours.
+option(FOOTHOLD_WERROR "Warnings are errors in our code" ON)
+set(FOOTHOLD_SANITIZE "" CACHE STRING "Sanitizers for everything, as in -fsanitize=")
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+find_program(MOLD mold)
+if(MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()
+
+# The same plan on every machine: no fused multiply-add behind our back.
+add_compile_options(-ffp-contract=off -fno-math-errno)
+if(FOOTHOLD_SANITIZE)
+  add_compile_options(-fsanitize=${FOOTHOLD_SANITIZE} -fno-omit-frame-pointer -g1)
+  add_link_options(-fsanitize=${FOOTHOLD_SANITIZE})
+  add_compile_definitions(FOOTHOLD_SANITIZED=1)
+endif()
+
+# foothold_ours(target): the warnings that our own code must be free of.
+function(foothold_ours target)
+  target_compile_options(${target} PRIVATE
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-missing-field-initializers>
+    $<$<AND:$<BOOL:${FOOTHOLD_WERROR}>,$<COMPILE_LANGUAGE:CXX>>:-Werror>)
+endfunction()

@@ -1,0 +1,10 @@
+# foothold_add_planner(name SOURCES ... [LIBRARIES ...]): a planner's shared library lib/foothold/plugins/<name>.so of this build.
+function(foothold_add_planner name)
+  cmake_parse_arguments(PLANNER "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_library(planner_${name} MODULE ${PLANNER_SOURCES})
+  target_link_libraries(planner_${name} PRIVATE foothold::api ${PLANNER_LIBRARIES})
+  set_target_properties(planner_${name} PROPERTIES
+    PREFIX "" OUTPUT_NAME ${name} LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  foothold_ours(planner_${name})
+endfunction()
