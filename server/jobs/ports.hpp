@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -96,7 +97,19 @@ struct RobotStatus {
   double retry_after = 0.0;  // s, when QUARANTINED
 };
 
-// The workers of every robot, seen as slots. Answers come back through Jobs::on_step, on_scene, on_run_end and on_slots_changed.
+// How the workers answer. Jobs implements it. After on_run_end nothing follows for that run.
+class RunEvents {
+ public:
+  virtual ~RunEvents() = default;
+  virtual void on_run_scene(Run run, std::vector<msg::Shape> shapes) = 0;
+  // `step` is the CDR of foothold::msg::Step; its request and index are `run`'s next ones, which Planners has checked.
+  virtual void on_run_step(Run run, std::uint32_t index, Bytes step) = 0;
+  virtual void on_run_end(Run run, RunEnd end) = 0;
+  // A slot of this robot became idle, or the robot's state changed.
+  virtual void on_slots_changed(const std::string& robot) = 0;
+};
+
+// The workers of every robot, seen as slots. Answers come through RunEvents, never from inside one of these calls.
 class Planners {
  public:
   virtual ~Planners() = default;

@@ -1,0 +1,31 @@
+// Reads the model part of config/robots/<name>.yaml. Library foothold::robot_file; planners do not need it, hosts and tests do.
+//
+//   model:
+//     piston:
+//       retracted: {value: 103, unit: mm, source: "derived: ..."}
+//       limits:    {value: [-90, 90], unit: deg, source: assumed}
+//
+// Units mm, cm, m, deg, rad, g, kg, s, ms, N, Nm, rpm, rad/s, 1 are converted to SI (m, rad, kg, s, N, Nm, rad/s, 1).
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "foothold/model.hpp"
+
+namespace foothold {
+
+// what() is "file:line: field: reason".
+class FileError : public std::runtime_error {
+ public:
+  FileError(const std::string& file, int line, const std::string& field, const std::string& reason);
+  const std::string& field() const noexcept { return field_; }
+
+ private:
+  std::string field_;
+};
+
+// Throws FileError. Any thread.
+RobotModel load_robot_model(const std::string& path);
+
+}  // namespace foothold
