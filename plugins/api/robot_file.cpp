@@ -1,0 +1,121 @@
+// config/robots/<name>.yaml to a RobotModel in SI units.
+#include "foothold/robot_file.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace foothold {
+namespace {
+
+struct Unit {
+  const char* name;
+  const char* si;
+  double factor;
+};
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr Unit kUnits[] = {{"m", "m", 1.0},         {"cm", "m", 0.01},
+                           {"mm", "m", 0.001},      {"rad", "rad", 1.0},
+                           {"deg", "rad", kDegree}, {"kg", "kg", 1.0},
+                           {"g", "kg", 0.001},      {"s", "s", 1.0},
+                           {"ms", "s", 0.001},      {"N", "N", 1.0},
+                           {"Nm", "Nm", 1.0},       {"1", "1", 1.0},
+                           {"rad/s", "rad/s", 1.0}, {"rpm", "rad/s", 2.0 * std::numbers::pi / 60.0}};
+
+// Walks `model:` and collects its leaves; every fault names file, line and path.
+class ModelReader {
+ public:
+  explicit ModelReader(const std::string& file) : file_(file) {}
+
+  std::map<std::string, Quantity, std::less<>> read(const YAML::Node& model) {
+    walk(model, "");
+    return std::move(quantities_);
+  }
+
+ private:
+  [[noreturn]] void fail(const YAML::Node& node, const std::string& path, const std::string& reason) const {
+    throw FileError(file_, node.Mark().line + 1, "model." + path, reason);
+  }
+
+  void walk(const YAML::Node& node, const std::string& path) {
+    if (!node.IsMap()) fail(node, path, "must be a map of quantities, or {value: ..., unit: ..., source: ...}");
+    if (node["value"]) {
+      quantities_.emplace(path, leaf(node, path));
+      return;
+    }
+    for (const auto& entry : node) {
+      const auto key = entry.first.as<std::string>();
+      walk(entry.second, path.empty() ? key : path + "." + key);
+    }
+  }
+
+  Quantity leaf(const YAML::Node& node, const std::string& path) const {
+    for (const auto& entry : node) {
+      const auto key = entry.first.as<std::string>();
+      if (key != "value" && key != "unit" && key != "source" && key != "note")
+        fail(entry.first, path + "." + key, "is not a part of a quantity (value, unit, source, note)");
+    }
+    const Unit& unit = unit_of(node, path);
+    Quantity quantity{.values = {}, .unit = unit.si, .source = source_of(node, path)};
+    const YAML::Node value = node["value"];
+    if (value.IsSequence()) {
+      for (const auto& element : value) quantity.values.push_back(unit.factor * number(element, path));
+      if (quantity.values.empty()) fail(value, path + ".value", "must hold one number at least");
+    } else {
+      quantity.values.push_back(unit.factor * number(value, path));
+    }
+    return quantity;
+  }
+
+  double number(const YAML::Node& node, const std::string& path) const {
+    double value = 0.0;
+    if (!node.IsScalar() || !YAML::convert<double>::decode(node, value))
+      fail(node, path + ".value", "must be a number" + (node.IsScalar() ? ", is '" + node.Scalar() + "'" : std::string()));
+    if (!std::isfinite(value)) fail(node, path + ".value", "must be finite, is " + node.Scalar());
+    return value;
+  }
+
+  const Unit& unit_of(const YAML::Node& node, const std::string& path) const {
+    if (!node["unit"]) fail(node, path + ".unit", "is missing");
+    const auto name = node["unit"].as<std::string>("");
+    for (const Unit& unit : kUnits)
+      if (name == unit.name) return unit;
+    std::string known;
+    for (const Unit& unit : kUnits) known += std::string(known.empty() ? "" : ", ") + unit.name;
+    fail(node["unit"], path + ".unit", "must be one of " + known + "; is '" + name + "'");
+  }
+
+  // A number without a source is a guess: where it comes from is a part of it.
+  std::string source_of(const YAML::Node& node, const std::string& path) const {
+    if (!node["source"]) fail(node, path + ".source", "is missing (paper, public, derived or assumed, then why)");
+    const auto source = node["source"].as<std::string>("");
+    for (const char* tag : {"paper", "public", "derived", "assumed"})
+      if (source.starts_with(tag)) return source;
+    fail(node["source"], path + ".source", "must begin with paper, public, derived or assumed; is '" + source + "'");
+  }
+
+  const std::string& file_;
+  std::map<std::string, Quantity, std::less<>> quantities_;
+};
+
+}  // namespace
+
+FileError::FileError(const std::string& file, int line, const std::string& field, const std::string& reason)
+    : std::runtime_error(file + ":" + std::to_string(line) + ": " + (field.empty() ? "" : field + ": ") + reason), field_(field) {}
+
+RobotModel load_robot_model(const std::string& path) {
+  try {
+    const YAML::Node root = YAML::LoadFile(path);
+    if (!root.IsMap()) throw FileError(path, 1, "", "must be a map with the keys robot, plugin, model");
+    if (!root["model"]) throw FileError(path, root.Mark().line + 1, "model", "is missing");
+    return RobotModel(ModelReader(path).read(root["model"]));
+  } catch (const YAML::BadFile&) {
+    throw FileError(path, 0, "", "cannot be read");
+  } catch (const YAML::Exception& fault) {
+    throw FileError(path, fault.mark.line + 1, "", fault.msg);
+  }
+}
+
+}  // namespace foothold
