@@ -1,0 +1,66 @@
+// What config/footholdd.yaml and config/robots/*.yaml say, as plain values. Paths are absolute after loading; times are seconds.
+// Read by read_server_config() and read_robots() (reading.hpp), which also say what is allowed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "foothold/model.hpp"
+
+namespace foothold::server {
+
+// `dds:`
+struct DdsConfig {
+  std::string vendor = "cyclone";  // cyclone or fastdds
+  std::uint32_t domain = 0;        // 0 to 200
+  std::string network_config;      // a vendor's XML file; empty: loopback only
+};
+
+// `workers:` How workers that died are started again, and when a robot is taken out.
+struct WorkersConfig {
+  double restart_first = 0.1;          // wait before the first restart; doubled after each crash
+  double restart_longest = 30.0;       // at most
+  double start_limit = 60.0;           // a worker that is not ready by then is killed and counted as crashed
+  std::size_t quarantine_crashes = 3;  // this many crashes
+  double quarantine_window = 60.0;     // within this time
+  double quarantine_time = 60.0;       // take the robot out for so long
+};
+
+// `scenes:`
+struct ScenesConfig {
+  std::uint64_t max_bytes = 64ull << 20;  // of one file
+  std::vector<std::string> preload;       // folders whose files are stored at start, named by their stem
+};
+
+struct ServerConfig {
+  std::string name = "foothold";
+  DdsConfig dds;
+  std::string state_dir;           // journal and scenes
+  std::string plugin_dir;          // <plugin>.so
+  std::string robots_dir;          // <robot>.yaml
+  std::string worker;              // the worker program; empty: foothold-worker beside footholdd
+  std::size_t queue_limit = 1000;  // requests that wait, of all robots
+  double budget_max = 3600.0;
+  double grace = 0.25;             // from the stop token to the kill
+  double cancel_memory = 10.0;     // how long a cancel waits for its request
+  double retention = 7 * 86400.0;  // of final states and steps
+  WorkersConfig workers;
+  ScenesConfig scenes;
+  std::string log_level = "info";  // trace, debug, info, warn, error, off
+};
+
+// One robot's file.
+struct RobotConfig {
+  std::string file;  // config/robots/<name>.yaml
+  std::string name;  // `robot:`, what a request says
+  std::string description;
+  std::string plugin;              // absolute path of the shared library
+  std::size_t slots = 1;           // workers, that is: plans at the same time
+  std::uint64_t memory_limit = 0;  // bytes of address space of one worker; 0: none
+  bool enabled = true;
+  RobotModel model;  // `model:`, in SI
+};
+
+}  // namespace foothold::server
