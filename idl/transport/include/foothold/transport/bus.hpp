@@ -19,14 +19,16 @@
 namespace foothold::transport {
 
 // The bus cannot be opened or an entity cannot be made. The message says what to do.
-class BusError : public std::runtime_error {
+class [[gnu::visibility("default")]] BusError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
+inline constexpr std::uint32_t kMaxDomain = 200;
+
 struct BusOptions {
   std::string vendor = "cyclone";  // cyclone or fastdds
-  std::uint32_t domain = 0;        // 0 to 200
+  std::uint32_t domain = 0;        // 0 to kMaxDomain
   // A vendor's XML file that replaces the built-in loopback configuration. Empty: loopback.
   std::string network_config;
 };
@@ -76,5 +78,6 @@ std::unique_ptr<Bus> open_bus(const BusOptions& options);
 
 // What a bus library exports, as `foothold_open_bus_1`.
 using OpenBus = Bus* (*)(const BusOptions&);
+#define FOOTHOLD_BUS_ENTRY extern "C" [[gnu::visibility("default")]] foothold::transport::Bus* foothold_open_bus_1
 
 }  // namespace foothold::transport
