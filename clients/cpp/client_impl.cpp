@@ -1,0 +1,148 @@
+// What arrives from the bus, and the way into the client for plans.
+#include "client_impl.hpp"
+
+#include <cstring>
+
+namespace foothold::client {
+namespace {
+
+using transport::Topic;
+
+ClientOptions with_id(ClientOptions options) {
+  if (options.id == msg::kNoId) options.id = msg::random_id();
+  return options;
+}
+
+// Every message about a plan begins with its id, behind four octets of encapsulation.
+std::optional<msg::Id> plan_of(std::span<const std::byte> message) {
+  msg::Id id;
+  if (message.size() < 4 + id.size()) return std::nullopt;
+  std::memcpy(id.data(), message.data() + 4, id.size());
+  return id;
+}
+
+}  // namespace
+
+Client::Impl::Impl(std::unique_ptr<transport::Bus> the_bus, ClientOptions the_options)
+    : options(with_id(the_options)), bus(std::move(the_bus)), outgoing(std::make_shared<Outgoing>(*bus)) {
+  const std::string mine = msg::to_hex(options.id);
+  steps_ = listen(Topic::kStep, mine, [this](auto message) { on_step(message); });
+  events_ = listen(Topic::kEvent, mine, [this](auto message) { on_event(message); });
+  robots_ = listen(Topic::kRobot, "", [this](auto message) {
+    if (const auto robot = msg::decode<msg::RobotInfo>(message)) directory.add(*robot);
+    wake_keeper();
+  });
+  scenes_ = listen(Topic::kSceneStatus, "", [this](auto message) {
+    if (const auto scene = msg::decode<msg::SceneStatus>(message)) directory.add(*scene);
+  });
+  servers_ = listen(Topic::kServer, "", [this](auto message) { on_server(message); });
+  keeper_ = std::thread([this] { keep(); });
+}
+
+Client::Impl::~Impl() {
+  {
+    const std::lock_guard lock(keeper_mutex_);
+    stop_ = true;
+  }
+  keeper_work_.notify_one();
+  keeper_.join();
+  servers_.reset();
+  robots_.reset();
+  scenes_.reset();
+  events_.reset();
+  steps_.reset();
+  delivery_.stop();
+  const std::lock_guard lock(plans_mutex_);
+  for (const auto& [id, plan] : plans_) plan->detach();
+}
+
+std::unique_ptr<transport::Reader> Client::Impl::listen(Topic topic, const std::string& partition,
+                                                        std::function<void(std::span<const std::byte>)> on_message) {
+  transport::ReaderEvents events;
+  events.on_message = std::move(on_message);
+  if (topic == Topic::kServer)
+    events.on_liveliness = [this](std::size_t alive) {
+      nobody_alive_ = alive == 0;
+      wake_keeper();
+    };
+  return bus->reader(topic, partition, std::move(events));
+}
+
+std::shared_ptr<PlanState> Client::Impl::find(const msg::Id& id) {
+  const std::lock_guard lock(plans_mutex_);
+  const auto plan = plans_.find(id);
+  return plan == plans_.end() ? nullptr : plan->second;
+}
+
+void Client::Impl::after(const std::shared_ptr<PlanState>& plan, bool news) {
+  if (news) delivery_.post(plan);
+  if (!plan->ended()) return;
+  const std::lock_guard lock(plans_mutex_);
+  plans_.erase(plan->id());
+}
+
+void Client::Impl::on_step(std::span<const std::byte> message) {
+  const auto id = plan_of(message);
+  const auto plan = id ? find(*id) : nullptr;
+  if (!plan) return;
+  auto step = msg::decode<msg::Step>(message);
+  if (step) after(plan, plan->accept(std::move(*step), Clock::now()));
+}
+
+void Client::Impl::on_event(std::span<const std::byte> message) {
+  const auto id = plan_of(message);
+  const auto plan = id ? find(*id) : nullptr;
+  if (!plan) return;
+  const auto event = msg::decode<msg::PlanEvent>(message);
+  if (event) after(plan, plan->accept(*event, directory.alive(), Clock::now()));
+}
+
+void Client::Impl::on_server(std::span<const std::byte> message) {
+  const auto server = msg::decode<msg::ServerInfo>(message);
+  if (!server) return;
+  nobody_alive_ = false;
+  if (directory.add(*server, Clock::now())) wake_keeper();
+}
+
+Plan Client::Impl::submit(msg::PlanRequest request, PlanCallbacks callbacks) {
+  if (request.id() == msg::kNoId) request.id(msg::random_id());
+  request.client(options.id);
+  std::shared_ptr<PlanState> plan;
+  {
+    const std::lock_guard lock(plans_mutex_);
+    auto& slot = plans_[request.id()];
+    if (slot) return Plan(slot);
+    slot = plan =
+        std::make_shared<PlanState>(std::move(request), PlanState::Origin::kSubmitted, 0, std::move(callbacks), options, outgoing);
+  }
+  begin(plan);
+  return Plan(plan);
+}
+
+Plan Client::Impl::query(const msg::Id& request, std::uint32_t from_step, PlanCallbacks callbacks) {
+  std::shared_ptr<PlanState> plan;
+  {
+    const std::lock_guard lock(plans_mutex_);
+    auto& slot = plans_[request];
+    if (slot) return Plan(slot);
+    msg::PlanRequest asked;
+    asked.id(request);
+    asked.client(options.id);
+    slot = plan = std::make_shared<PlanState>(std::move(asked), PlanState::Origin::kAskedFor, from_step, std::move(callbacks),
+                                              options, outgoing);
+  }
+  begin(plan);
+  return Plan(plan);
+}
+
+void Client::Impl::begin(const std::shared_ptr<PlanState>& plan) {
+  try {
+    act(plan, Clock::now());
+  } catch (const SendError&) {
+    const std::lock_guard lock(plans_mutex_);
+    plans_.erase(plan->id());
+    throw;
+  }
+}
+
+}  // namespace foothold::client

@@ -1,0 +1,184 @@
+// Announcements of servers, and waiting for them.
+#include "directory.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace foothold::client {
+namespace {
+
+std::chrono::steady_clock::duration from_seconds(double seconds) {
+  return std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(std::min(seconds, 1e9)));
+}
+
+}  // namespace
+
+void Directory::tell() {
+  changed_ = Clock::now();
+  news_.notify_all();
+}
+
+bool Directory::add(const msg::ServerInfo& server, Clock::time_point now) {
+  const std::lock_guard lock(mutex_);
+  const auto [seen, is_new] = servers_.try_emplace(server.key());
+  const bool back = is_new || !seen->second.server.alive;
+  seen->second = {{server, true}, now};
+  if (back) tell();
+  return back;
+}
+
+void Directory::add(const msg::RobotInfo& robot) {
+  const std::lock_guard lock(mutex_);
+  robots_[robot.key()] = robot;
+  tell();
+}
+
+void Directory::add(const msg::SceneStatus& scene) {
+  const std::lock_guard lock(mutex_);
+  if (scene.state() == msg::STORED) scenes_[scene.key()] = scene;
+  if (const auto upload = uploads_.find(scene.upload()); upload != uploads_.end()) upload->second = scene;
+  tell();
+}
+
+void Directory::expect(const msg::Id& upload) {
+  const std::lock_guard lock(mutex_);
+  uploads_.try_emplace(upload);
+}
+
+void Directory::forget(const msg::Id& upload) {
+  const std::lock_guard lock(mutex_);
+  uploads_.erase(upload);
+}
+
+std::vector<msg::Id> Directory::silent(Clock::time_point now, double silence, bool nobody_alive) {
+  const std::lock_guard lock(mutex_);
+  std::vector<msg::Id> lost;
+  for (auto& [id, seen] : servers_) {
+    if (!seen.server.alive || (!nobody_alive && now - seen.beat < from_seconds(silence))) continue;
+    seen.server.alive = false;
+    lost.push_back(id);
+  }
+  if (!lost.empty()) tell();
+  return lost;
+}
+
+void Directory::set_open(bool open) {
+  const std::lock_guard lock(mutex_);
+  if (open_ == open) return;
+  open_ = open;
+  news_.notify_all();
+}
+
+std::vector<ServerSeen> Directory::servers() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<ServerSeen> list;
+  for (const auto& [id, seen] : servers_) list.push_back(seen.server);
+  std::ranges::sort(list, [](const auto& a, const auto& b) {
+    return std::tie(a.info.name(), a.info.key()) < std::tie(b.info.name(), b.info.key());
+  });
+  return list;
+}
+
+std::vector<msg::Id> Directory::alive() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<msg::Id> list;
+  for (const auto& [id, seen] : servers_)
+    if (seen.server.alive) list.push_back(id);
+  return list;
+}
+
+std::vector<msg::RobotInfo> Directory::robots() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<msg::RobotInfo> list;
+  for (const auto& [key, robot] : robots_)
+    if (is_alive(robot.server())) list.push_back(robot);
+  std::ranges::sort(list,
+                    [](const auto& a, const auto& b) { return std::tie(a.name(), a.server()) < std::tie(b.name(), b.server()); });
+  return list;
+}
+
+std::vector<msg::SceneStatus> Directory::scenes() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<msg::SceneStatus> list;
+  for (const auto& [key, scene] : scenes_)
+    if (is_alive(scene.server())) list.push_back(scene);
+  std::ranges::sort(list, [](const auto& a, const auto& b) {
+    return std::make_tuple(a.name(), a.stamp(), a.revision()) < std::make_tuple(b.name(), b.stamp(), b.revision());
+  });
+  return list;
+}
+
+bool Directory::is_alive(const msg::Id& server) const {
+  const auto seen = servers_.find(server);
+  return seen != servers_.end() && seen->second.server.alive;
+}
+
+std::optional<msg::RobotInfo> Directory::find_robot(std::string_view name, const msg::Id& server) const {
+  for (const auto& [key, robot] : robots_)
+    if (robot.name() == name && is_alive(robot.server()) && (server == msg::kNoId || robot.server() == server)) return robot;
+  return std::nullopt;
+}
+
+std::optional<msg::RobotInfo> Directory::robot(std::string_view name, const msg::Id& server) const {
+  const std::lock_guard lock(mutex_);
+  return find_robot(name, server);
+}
+
+std::optional<msg::Id> Directory::choose(std::string_view name) const {
+  const std::lock_guard lock(mutex_);
+  const Seen* best = nullptr;
+  // A server that stops or a robot that is not ready still answers, with the reason: better than no answer.
+  const auto rank = [](const msg::RobotInfo& robot, const msg::ServerInfo& server) {
+    const double work = static_cast<double>(server.queued() + server.running()) / std::max(1u, server.slots());
+    return std::make_tuple(robot.state() != msg::READY || server.stopping(), work, server.key());
+  };
+  std::optional<std::tuple<bool, double, msg::Id>> best_rank;
+  for (const auto& [key, robot] : robots_) {
+    if (robot.name() != name || !is_alive(robot.server())) continue;
+    const Seen& seen = servers_.at(robot.server());
+    const auto its_rank = rank(robot, seen.server.info);
+    if (best_rank && *best_rank <= its_rank) continue;
+    best = &seen;
+    best_rank = its_rank;
+  }
+  if (best == nullptr) return std::nullopt;
+  return best->server.info.key();
+}
+
+std::optional<msg::SceneStatus> Directory::verdict(const msg::Id& upload, std::string_view name, std::string_view revision,
+                                                   bool any_of_it) const {
+  const std::lock_guard lock(mutex_);
+  if (const auto answer = uploads_.find(upload); answer != uploads_.end() && answer->second) return answer->second;
+  if (any_of_it)
+    for (const auto& [key, scene] : scenes_)
+      if (scene.name() == name && scene.revision() == revision) return scene;
+  return std::nullopt;
+}
+
+bool Directory::wait_open(double seconds, const msg::Id& server) const {
+  std::unique_lock lock(mutex_);
+  return news_.wait_for(lock, from_seconds(seconds), [&] {
+    if (!open_) return false;
+    if (server != msg::kNoId) return is_alive(server);
+    return std::ranges::any_of(servers_, [](const auto& entry) { return entry.second.server.alive; });
+  });
+}
+
+std::optional<msg::RobotInfo> Directory::wait_robot(std::string_view name, double seconds, const msg::Id& server) const {
+  std::unique_lock lock(mutex_);
+  std::optional<msg::RobotInfo> robot;
+  news_.wait_for(lock, from_seconds(seconds), [&] { return (robot = find_robot(name, server)).has_value(); });
+  return robot;
+}
+
+void Directory::wait_change(double seconds) const {
+  std::unique_lock lock(mutex_);
+  news_.wait_for(lock, from_seconds(seconds), [&, before = changed_] { return changed_ != before; });
+}
+
+Directory::Clock::time_point Directory::changed() const {
+  const std::lock_guard lock(mutex_);
+  return changed_;
+}
+
+}  // namespace foothold::client

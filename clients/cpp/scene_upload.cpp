@@ -1,0 +1,60 @@
+// A file goes up in pieces of 64 kB; the server answers once it has them all. P26, P27.
+#include <algorithm>
+#include <thread>
+
+#include "client_impl.hpp"
+
+namespace foothold::client {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kPiece = 65536;
+constexpr auto kFullPause = std::chrono::milliseconds(1);
+constexpr auto kOwnAnswer = std::chrono::seconds(1);
+
+double until(Clock::time_point end) { return std::chrono::duration<double>(end - Clock::now()).count(); }
+
+}  // namespace
+
+std::optional<msg::SceneStatus> Client::upload(const std::string& name, const std::string& format, std::span<const std::byte> bytes,
+                                               double seconds, const msg::Id& server) {
+  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  if (!wait_for_server(seconds, server)) return std::nullopt;
+  while (impl_->outgoing->scene_matched() == 0) {
+    if (until(end) <= 0.0) return std::nullopt;
+    std::this_thread::sleep_for(kFullPause);
+  }
+  msg::SceneChunk chunk;
+  chunk.upload(msg::random_id());
+  chunk.client(id());
+  // One server is to keep it, and to say so.
+  chunk.server(server != msg::kNoId ? server : impl_->directory.alive().at(0));
+  chunk.name(name);
+  chunk.format(format);
+  chunk.revision(msg::sha256_hex({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+  chunk.size(bytes.size());
+  Directory& directory = impl_->directory;
+  directory.expect(chunk.upload());
+  std::optional<msg::SceneStatus> verdict;
+  std::size_t offset = 0;
+  do {
+    const auto piece = bytes.subspan(offset, std::min(kPiece, bytes.size() - offset));
+    chunk.offset(offset);
+    const auto* octets = reinterpret_cast<const std::uint8_t*>(piece.data());
+    chunk.data().assign(octets, octets + piece.size());
+    while (!impl_->outgoing->try_send(chunk) && until(end) > 0.0) std::this_thread::sleep_for(kFullPause);
+    offset += piece.size();
+    verdict = directory.verdict(chunk.upload(), name, chunk.revision(), false);
+  } while (offset < bytes.size() && until(end) > 0.0 && !verdict);
+  // Somebody else who stores the same file at this moment may be the one whom the server's last word is for.
+  const auto sent = Clock::now();
+  while (until(end) > 0.0 && !verdict) {
+    directory.wait_change(std::min(until(end), 0.05));
+    verdict = directory.verdict(chunk.upload(), name, chunk.revision(), Clock::now() - sent > kOwnAnswer);
+  }
+  directory.forget(chunk.upload());
+  return verdict;
+}
+
+}  // namespace foothold::client
