@@ -24,8 +24,9 @@ inline void PrintTo(const Pair& pair, std::ostream* out) { *out << pair.writer <
 
 inline std::string name_of(const testing::TestParamInfo<Pair>& info) { return info.param.writer + "_to_" + info.param.reader; }
 
-inline const std::vector<Pair> kPairs = {{"cyclone", "cyclone"}};
-inline const std::vector<std::string> kVendors = {"cyclone"};
+inline const std::vector<Pair> kPairs = {
+    {"cyclone", "cyclone"}, {"cyclone", "fastdds"}, {"fastdds", "cyclone"}, {"fastdds", "fastdds"}};
+inline const std::vector<std::string> kVendors = {"cyclone", "fastdds"};
 
 // Tests may run at the same time: each process of a test has a domain of its own.
 inline std::uint32_t test_domain() { return 1 + static_cast<std::uint32_t>(getpid()) % transport::kMaxDomain; }

@@ -1,0 +1,68 @@
+// Bounded histories: unlimited ones fall to a tenth of the throughput. Short heartbeats: the default of 3 s is how long a late
+// reader or a lost datagram would wait.
+#include "qos.hpp"
+
+namespace foothold::transport::fastdds {
+namespace {
+
+namespace dds = eprosima::fastdds::dds;
+using eprosima::fastrtps::Duration_t;
+
+const Duration_t kHeartbeat(0, 50'000'000);
+const Duration_t kLivelinessLease(1, 0);
+const Duration_t kLivelinessAnnouncement(0, 300'000'000);
+
+// What readers and writers share.
+template <class Qos>
+void set_common(const TopicTraits& topic, Qos& qos) {
+  qos.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
+  qos.durability().kind = topic.transient_local ? dds::TRANSIENT_LOCAL_DURABILITY_QOS : dds::VOLATILE_DURABILITY_QOS;
+  qos.history().kind = topic.keep_last_one ? dds::KEEP_LAST_HISTORY_QOS : dds::KEEP_ALL_HISTORY_QOS;
+  qos.history().depth = 1;
+  auto& limits = qos.resource_limits();
+  limits.max_samples = topic.history;
+  limits.max_instances = topic.keyed ? topic.history : 1;
+  limits.max_samples_per_instance = topic.keep_last_one ? 1 : topic.history;
+  limits.allocated_samples = 0;
+  qos.endpoint().history_memory_policy = eprosima::fastrtps::rtps::DYNAMIC_REUSABLE_MEMORY_MODE;
+  qos.data_sharing().off();
+  if (topic.liveliness) {
+    qos.liveliness().kind = dds::MANUAL_BY_TOPIC_LIVELINESS_QOS;
+    qos.liveliness().lease_duration = kLivelinessLease;
+    qos.liveliness().announcement_period = kLivelinessAnnouncement;
+  }
+}
+
+}  // namespace
+
+dds::DataWriterQos writer_qos(const TopicTraits& topic) {
+  dds::DataWriterQos qos;
+  set_common(topic, qos);
+  // Nothing blocks in a write; whoever writes tries again.
+  qos.reliability().max_blocking_time = Duration_t(0, 0);
+  qos.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
+  qos.representation().m_value = {dds::XCDR_DATA_REPRESENTATION};
+  qos.reliable_writer_qos().times.heartbeatPeriod = kHeartbeat;
+  return qos;
+}
+
+dds::DataReaderQos reader_qos(const TopicTraits& topic) {
+  dds::DataReaderQos qos;
+  set_common(topic, qos);
+  qos.type_consistency().representation.m_value = {dds::XCDR_DATA_REPRESENTATION};
+  return qos;
+}
+
+dds::PublisherQos publisher_qos(const std::string& partition) {
+  dds::PublisherQos qos;
+  if (!partition.empty()) qos.partition().push_back(partition.c_str());
+  return qos;
+}
+
+dds::SubscriberQos subscriber_qos(const std::string& partition) {
+  dds::SubscriberQos qos;
+  if (!partition.empty()) qos.partition().push_back(partition.c_str());
+  return qos;
+}
+
+}  // namespace foothold::transport::fastdds

@@ -1,0 +1,83 @@
+// Writes octets. Fast DDS refuses a sample at once (its blocking time is 0) while its history is full and the oldest sample is not
+// acknowledged.
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <mutex>
+
+#include "bus.hpp"
+#include "bytes_type.hpp"
+#include "qos.hpp"
+
+namespace foothold::transport::fastdds {
+namespace {
+
+namespace dds = eprosima::fastdds::dds;
+using eprosima::fastrtps::types::ReturnCode_t;
+
+class FastWriter final : public Writer {
+ public:
+  FastWriter(dds::DomainParticipant& participant, dds::Topic& dds_topic, const TopicTraits& topic, const std::string& partition)
+      : topic_(topic), participant_(participant), publisher_(participant.create_publisher(publisher_qos(partition))) {
+    if (publisher_ == nullptr) throw BusError("Fast DDS cannot make a publisher in partition '" + partition + "'");
+    writer_ = publisher_->create_datawriter(&dds_topic, writer_qos(topic));
+    if (writer_ == nullptr) {
+      participant_.delete_publisher(publisher_);
+      throw BusError("Fast DDS cannot make a writer of " + std::string(topic.name));
+    }
+  }
+
+  ~FastWriter() override {
+    publisher_->delete_datawriter(writer_);
+    participant_.delete_publisher(publisher_);
+  }
+
+  Result write(std::span<const std::byte> message) override {
+    if (!looks_like(topic_, message)) return failed("no XCDR1 message of type " + std::string(topic_.type));
+    BytesSample sample{message, {}};
+    const ReturnCode_t code = writer_->write(&sample, dds::HANDLE_NIL);
+    if (code == ReturnCode_t::RETCODE_OK) return Result::kSent;
+    if (code == ReturnCode_t::RETCODE_TIMEOUT || code == ReturnCode_t::RETCODE_OUT_OF_RESOURCES) return Result::kFull;
+    return failed("DataWriter::write gave return code " + std::to_string(code()));
+  }
+
+  std::string last_error() const override {
+    const std::lock_guard lock(mutex_);
+    return last_error_;
+  }
+
+  std::size_t matched() const override {
+    dds::PublicationMatchedStatus status;
+    if (writer_->get_publication_matched_status(status) != ReturnCode_t::RETCODE_OK) return 0;
+    return static_cast<std::size_t>(status.current_count);
+  }
+
+  void assert_liveliness() override { writer_->assert_liveliness(); }
+
+  bool wait_acknowledged(double seconds) override {
+    return writer_->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(static_cast<long double>(seconds))) ==
+           ReturnCode_t::RETCODE_OK;
+  }
+
+ private:
+  Result failed(std::string why) {
+    const std::lock_guard lock(mutex_);
+    last_error_ = std::move(why);
+    return Result::kFailed;
+  }
+
+  const TopicTraits& topic_;
+  dds::DomainParticipant& participant_;
+  dds::Publisher* publisher_;
+  dds::DataWriter* writer_ = nullptr;
+  mutable std::mutex mutex_;
+  std::string last_error_;
+};
+
+}  // namespace
+
+std::unique_ptr<Writer> make_writer(dds::DomainParticipant& participant, dds::Topic& dds_topic, const TopicTraits& topic,
+                                    const std::string& partition) {
+  return std::make_unique<FastWriter>(participant, dds_topic, topic, partition);
+}
+
+}  // namespace foothold::transport::fastdds
