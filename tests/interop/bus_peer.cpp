@@ -14,7 +14,7 @@
 namespace {
 
 using namespace foothold;
-using interop::Kind;
+using test::Kind;
 using transport::Writer;
 
 transport::Topic topic_named(const std::string& name) {
@@ -25,20 +25,20 @@ transport::Topic topic_named(const std::string& name) {
 }
 
 void read(transport::Bus& bus, transport::Topic topic, const std::string& partition) {
-  const auto reader = bus.reader(
-      topic, partition,
-      {.on_message = [](std::span<const std::byte> message) { interop::put_frame(STDOUT_FILENO, Kind::kMessage, message); },
-       .on_matched = [](std::size_t count) { interop::put_number(STDOUT_FILENO, Kind::kMatched, count); },
-       .on_liveliness = [](std::size_t count) { interop::put_number(STDOUT_FILENO, Kind::kAlive, count); }});
-  interop::put_frame(STDOUT_FILENO, Kind::kReady, {});
-  while (interop::get_frame(STDIN_FILENO)) {
+  const auto reader =
+      bus.reader(topic, partition,
+                 {.on_message = [](std::span<const std::byte> message) { test::put_frame(STDOUT_FILENO, Kind::kMessage, message); },
+                  .on_matched = [](std::size_t count) { test::put_number(STDOUT_FILENO, Kind::kMatched, count); },
+                  .on_liveliness = [](std::size_t count) { test::put_number(STDOUT_FILENO, Kind::kAlive, count); }});
+  test::put_frame(STDOUT_FILENO, Kind::kReady, {});
+  while (test::get_frame(STDIN_FILENO)) {
   }
 }
 
 int write(transport::Bus& bus, transport::Topic topic, const std::string& partition) {
   const auto writer = bus.writer(topic, partition);
-  interop::put_frame(STDOUT_FILENO, Kind::kReady, {});
-  while (const auto frame = interop::get_frame(STDIN_FILENO)) {
+  test::put_frame(STDOUT_FILENO, Kind::kReady, {});
+  while (const auto frame = test::get_frame(STDIN_FILENO)) {
     Writer::Result result = Writer::Result::kFull;
     while ((result = writer->write(frame->octets)) == Writer::Result::kFull)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -15,6 +15,9 @@
 
 namespace foothold::interop {
 
+using test::Kind;
+using test::Peer;
+
 struct Pair {
   std::string writer;
   std::string reader;
@@ -23,6 +26,8 @@ struct Pair {
 inline void PrintTo(const Pair& pair, std::ostream* out) { *out << pair.writer << " -> " << pair.reader; }
 
 inline std::string name_of(const testing::TestParamInfo<Pair>& info) { return info.param.writer + "_to_" + info.param.reader; }
+
+inline std::string vendor_name(const testing::TestParamInfo<std::string>& info) { return info.param; }
 
 inline const std::vector<Pair> kPairs = {
     {"cyclone", "cyclone"}, {"cyclone", "fastdds"}, {"fastdds", "cyclone"}, {"fastdds", "fastdds"}};

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace foothold::interop {
+namespace foothold::test {
 
 enum class Kind : std::uint8_t { kReady, kMessage, kMatched, kAlive };
 
@@ -69,4 +69,4 @@ inline std::optional<Frame> get_frame(int file) {
   return frame;
 }
 
-}  // namespace foothold::interop
+}  // namespace foothold::test

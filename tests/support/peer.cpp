@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-namespace foothold::interop {
+namespace foothold::test {
 namespace {
 
 std::string beside_this_program(const std::string& name) {
@@ -116,4 +116,4 @@ std::vector<std::vector<std::byte>> Peer::messages() {
   return found;
 }
 
-}  // namespace foothold::interop
+}  // namespace foothold::test

@@ -12,7 +12,7 @@
 
 #include "frames.hpp"
 
-namespace foothold::interop {
+namespace foothold::test {
 
 class Peer {
  public:
@@ -49,4 +49,4 @@ class Peer {
   std::thread collector_;
 };
 
-}  // namespace foothold::interop
+}  // namespace foothold::test

@@ -1,0 +1,30 @@
+// How every bench ends: a table for people, then one line of JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foothold::bench {
+
+struct Figure {
+  std::string name;
+  double value = 0.0;
+  std::string unit;
+  std::string better;  // less or more
+  std::optional<double> goal;
+  std::optional<double> baseline;
+  std::string baseline_name;
+};
+
+// Prints the figures, those that miss their goal marked so, and the JSON as the last line of stdout. The commit is asked of git
+// when the bench runs; "unknown" outside a checkout.
+void report(const std::string& bench, const std::vector<Figure>& figures);
+
+// True if the command line has --quick: a run under 30 s.
+bool quick(int count, char** words);
+
+// The value below which `part` (0..1) of the values lie. Precondition: not empty.
+double percentile(std::vector<double> values, double part);
+
+}  // namespace foothold::bench

@@ -1,0 +1,85 @@
+// What a writer keeps: late readers get the newest samples, a full history rolls over, a slow reader makes it full for a while.
+#include <signal.h>
+
+#include "numbered.hpp"
+#include "pair.hpp"
+
+namespace foothold::interop {
+namespace {
+
+using test::number_of;
+using test::numbered;
+using transport::open_bus;
+using transport::Topic;
+using transport::Writer;
+
+constexpr Topic kKept[] = {Topic::kEvent, Topic::kStep};
+
+class HistoryOfVendor : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Vendors, HistoryOfVendor, testing::ValuesIn(kVendors), vendor_name);
+
+TEST_P(HistoryOfVendor, RollsOverWithoutAReader) {
+  const auto bus = open_bus({.vendor = GetParam(), .domain = test_domain()});
+  for (const Topic topic : kKept) {
+    const auto writer = bus->writer(topic, "p");
+    const auto count = static_cast<std::uint32_t>(5 * transport::traits(topic).history);
+    for (std::uint32_t i = 0; i < count; ++i) ASSERT_EQ(writer->write(numbered(i, 200)), Writer::Result::kSent) << "sample " << i;
+  }
+}
+
+class HistoryOfPair : public testing::TestWithParam<Pair> {};
+INSTANTIATE_TEST_SUITE_P(Pairs, HistoryOfPair, testing::ValuesIn(kPairs), name_of);
+
+void expect_numbers(const std::vector<std::vector<std::byte>>& messages, std::uint32_t first, std::uint32_t count) {
+  ASSERT_EQ(messages.size(), count);
+  for (std::uint32_t i = 0; i < count; ++i) ASSERT_EQ(number_of(messages[i]), first + i) << "at " << i;
+}
+
+TEST_P(HistoryOfPair, RollsOverWithAReaderAndLosesNothing) {
+  for (const Topic topic : kKept) {
+    Peer reader(bus_peer(GetParam().reader, "read", topic, "p"));
+    const auto bus = open_bus({.vendor = GetParam().writer, .domain = test_domain()});
+    const auto writer = bus->writer(topic, "p");
+    ASSERT_TRUE(eventually([&] { return writer->matched() == 1; }));
+    const auto count = static_cast<std::uint32_t>(5 * transport::traits(topic).history);
+    for (std::uint32_t i = 0; i < count; ++i)
+      ASSERT_EQ(write_on(*writer, numbered(i, 200)), Writer::Result::kSent) << "sample " << i;
+    ASSERT_TRUE(reader.wait_messages(count)) << reader.messages().size();
+    EXPECT_TRUE(writer->wait_acknowledged(5.0));
+    expect_numbers(reader.messages(), 0, count);
+  }
+}
+
+TEST_P(HistoryOfPair, GivesALateReaderTheNewestSamples) {
+  const auto bus = open_bus({.vendor = GetParam().writer, .domain = test_domain()});
+  const auto writer = bus->writer(Topic::kEvent, "p");
+  const auto kept = static_cast<std::uint32_t>(transport::traits(Topic::kEvent).history);
+  const std::uint32_t written = kept + 1000;
+  for (std::uint32_t i = 0; i < written; ++i) ASSERT_EQ(write_on(*writer, numbered(i, 200)), Writer::Result::kSent);
+  Peer reader(bus_peer(GetParam().reader, "read", Topic::kEvent, "p"));
+  ASSERT_TRUE(reader.wait_messages(kept)) << reader.messages().size();
+  expect_numbers(reader.messages(), written - kept, kept);
+}
+
+TEST_P(HistoryOfPair, IsFullWhileAReaderLagsAndLosesNothing) {
+  Peer reader(bus_peer(GetParam().reader, "read", Topic::kStep, "p"));
+  const auto bus = open_bus({.vendor = GetParam().writer, .domain = test_domain()});
+  const auto writer = bus->writer(Topic::kStep, "p");
+  ASSERT_TRUE(reader.wait_number(Kind::kMatched, 1));
+  ASSERT_TRUE(eventually([&] { return writer->matched() == 1; }));
+  // The reader's process stands still, for less than its lease of 3 s.
+  kill(reader.pid(), SIGSTOP);
+  std::uint32_t sent = 0;
+  Writer::Result result = Writer::Result::kSent;
+  while (sent < 100'000 && (result = writer->write(numbered(sent, 4000))) == Writer::Result::kSent) ++sent;
+  kill(reader.pid(), SIGCONT);
+  EXPECT_EQ(result, Writer::Result::kFull);
+  EXPECT_LT(sent, 100'000U);
+  ASSERT_TRUE(reader.wait_messages(sent)) << reader.messages().size() << " of " << sent;
+  ASSERT_EQ(write_on(*writer, numbered(sent, 4000)), Writer::Result::kSent);
+  ASSERT_TRUE(reader.wait_messages(sent + 1));
+  expect_numbers(reader.messages(), 0, sent + 1);
+}
+
+}  // namespace
+}  // namespace foothold::interop
