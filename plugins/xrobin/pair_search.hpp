@@ -1,0 +1,54 @@
+// Meet in the middle: the pair of n half cycles and n half cycles whose end lies nearest to a target, proved over all pairs.
+//
+// A plan of n cycles is P s^-1 with P and s in level n of HalfCycles (the second half, read backwards, is a first half again).
+// With q(P) = P^-1 (origin) its end lies at a distance | R(P)^-1 t + q(P) - q(s) | from the target t: a nearest-neighbour search
+// in one set of points q, shifted by one vector for each heading. The paper fixes one module after the other instead and misses
+// the best end point by a factor of ten and more.
+#pragma once
+
+#include <optional>
+
+#include "half_cycles.hpp"
+
+namespace foothold::xrobin {
+
+// Where body A shall be, in the frame of body A before the first half cycle.
+struct Target {
+  double x = 0.0;
+  double y = 0.0;
+  std::optional<double> heading;  // rad
+  double heading_tolerance = 0.0;
+};
+
+struct Pair {
+  std::uint32_t prefix = 0;
+  std::uint32_t suffix = 0;
+  double distance = 0.0;  // m
+};
+
+// The poses of one level in the order in which the search visits them. Immutable; any thread.
+class PairSearch {
+ public:
+  PairSearch(const HalfCycles& half_cycles, int n);
+  // The nearest pair among those nearer than `bound` (m); none if there is no such pair or the search was stopped.
+  std::optional<Pair> closest(const Target& target, double bound, const std::stop_token& stop) const;
+  Word word(const Pair& pair) const;
+  // In m: the end of no word is farther than this from the end of the pair that stands for it.
+  double merge_bound() const;
+  int cycles() const { return n_; }
+
+ private:
+  const HalfCycles* half_cycles_;
+  int n_;
+  double cell_;
+  double reach_ = 0.0;  // greatest |q|
+  int columns_ = 0;
+  std::vector<std::uint32_t> begin_;        // of each cell, row by row, in the suffix arrays
+  std::vector<float> suffix_x_, suffix_y_;  // q, sorted by cell
+  std::vector<std::uint32_t> suffix_id_;
+  std::vector<float> prefix_x_, prefix_y_;  // q, sorted by heading, then cell
+  std::vector<std::uint32_t> prefix_id_;
+  std::vector<std::uint32_t> turn_begin_;  // of each heading in the prefix arrays
+};
+
+}  // namespace foothold::xrobin

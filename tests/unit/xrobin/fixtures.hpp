@@ -1,0 +1,45 @@
+// What the tests of Xrobin share: the robot of the repository and a context that collects steps.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "foothold/planner.hpp"
+#include "foothold/robot_file.hpp"
+#include "mechanism.hpp"
+#include "schema.hpp"
+
+namespace foothold::xrobin {
+
+inline RobotModel robot() { return load_robot_model(FOOTHOLD_CONFIG_DIR "/robots/xrobin.yaml"); }
+
+inline Mechanism mechanism() { return Mechanism::from_model(robot()); }
+
+// The defaults of the schema with some values set as text.
+inline Parameters parameters(const std::map<std::string, std::string>& set = {}) {
+  std::map<std::string, Parameters::Value, std::less<>> values;
+  for (const ParameterSpec& spec : kParameters) {
+    const auto given = set.find(spec.name);
+    values.emplace(spec.name, parse_parameter(spec, given == set.end() ? spec.default_value : given->second.c_str()));
+  }
+  return Parameters(std::move(values));
+}
+
+class Collector final : public PlanContext {
+ public:
+  bool emit(Step step) override {
+    steps.push_back(std::move(step));
+    return true;
+  }
+  std::vector<Step> steps;
+};
+
+inline Request request_to(double x, double y) {
+  Request request;
+  request.goal.base = Isometry3d(Eigen::Translation3d(x, y, 0.0));
+  request.goal.any_orientation = true;
+  request.budget = 10.0;
+  return request;
+}
+
+}  // namespace foothold::xrobin
