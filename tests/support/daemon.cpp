@@ -1,0 +1,100 @@
+// See daemon.hpp.
+#include "daemon.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+namespace foothold::test {
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path make_directory() {
+  std::string name = (fs::temp_directory_path() / "foothold-test-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory: " + name);
+  return name;
+}
+
+std::string read_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+Daemon::Daemon(DaemonOptions options) : options_(std::move(options)), directory_(make_directory()) {
+  write_configuration();
+  start();
+}
+
+Daemon::~Daemon() {
+  child_.reset();
+  if (std::uncaught_exceptions() > 0 || testing::Test::HasFailure()) std::cerr << "---- log of footholdd\n" << log() << "----\n";
+  std::error_code ignored;
+  fs::remove_all(directory_, ignored);
+}
+
+void Daemon::write_configuration() const {
+  fs::create_directories(directory_ / "robots");
+  std::ofstream file(directory_ / "footholdd.yaml");
+  file << "name: test\n"
+       << "state_dir: " << (directory_ / "state").string() << "\n"
+       << "robots_dir: " << (directory_ / "robots").string() << "\n"
+       << "plugin_dir: " << FOOTHOLD_TEST_PLUGINS << "\n"
+       << "worker: " << FOOTHOLD_WORKER << "\n"
+       << "grace: " << options_.grace << "\n"
+       << "log_level: " << options_.log_level << "\n"
+       << "dds:\n  vendor: " << options_.vendor << "\n  domain: " << options_.domain << "\n"
+       << options_.more;
+  for (const TestRobot& robot : options_.robots) {
+    std::ofstream out(directory_ / "robots" / (robot.name + ".yaml"));
+    out << "robot: " << robot.name << "\nplugin: " << robot.plugin << "\nslots: " << robot.slots << "\n";
+    if (!robot.memory_limit.empty()) out << "memory_limit: " << robot.memory_limit << "\n";
+  }
+}
+
+void Daemon::start() {
+  child_ = std::make_unique<Child>(std::vector<std::string>{FOOTHOLD_DAEMON, "--config", (directory_ / "footholdd.yaml").string()},
+                                   directory_ / "log");
+}
+
+std::optional<int> Daemon::stop(double seconds) {
+  child_->signal(SIGTERM);
+  const std::optional<int> code = child_->wait(seconds);
+  if (!code) kill();
+  return code;
+}
+
+void Daemon::kill() {
+  child_->signal(SIGKILL);
+  child_->wait(5.0);
+}
+
+std::vector<pid_t> Daemon::workers() const {
+  std::vector<pid_t> found;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename().string();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    // "pid (name) state parent ...": the kernel cuts the name to 15 octets.
+    std::istringstream stat(read_file(entry.path() / "stat"));
+    std::string pid, command, state;
+    pid_t parent = 0;
+    stat >> pid >> command >> state >> parent;
+    if (parent == child_->pid() && command == "(foothold-worke)" && state != "Z") found.push_back(std::stoi(pid));
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+std::string Daemon::log() const { return read_file(directory_ / "log"); }
+
+}  // namespace foothold::test
