@@ -28,6 +28,13 @@ using Duration = std::chrono::steady_clock::duration;
 // Wall-clock nanoseconds since 1970, for stamps and for budgets across restarts.
 using Stamp = std::int64_t;
 
+class Clock {
+ public:
+  virtual ~Clock() = default;
+  virtual Time now() const = 0;
+  virtual Stamp stamp() const = 0;
+};
+
 // --------------------------------------------------------------------------------------------- journal
 
 // A request as the journal keeps it.
@@ -49,10 +56,12 @@ class Journal {
   virtual void set_scene(const Id& request, const std::vector<msg::Shape>& shapes) = 0;
   virtual void set_final(const Id& request, const msg::PlanEvent& event) = 0;
   virtual void commit() = 0;
+  virtual bool knows(const Id& request) = 0;
   virtual std::optional<Record> find(const Id& request) = 0;
   virtual std::vector<Bytes> steps(const Id& request, std::uint32_t from) = 0;
   virtual std::vector<Record> unfinished() = 0;  // in the order of receipt
-  virtual void forget_before(Stamp stamp) = 0;   // final ones only
+  // Forgets some requests that ended before `stamp`, and their steps. False when there are no more of them. To be committed.
+  virtual bool forget_before(Stamp stamp) = 0;
 };
 
 class JournalError : public std::runtime_error {
@@ -124,7 +133,7 @@ class Planners {
 
 // --------------------------------------------------------------------------------------------- outbox
 
-// What goes to clients. Held back until the journal has committed what it tells of: Jobs calls Journal::commit() before flush().
+// What goes to clients, at once: Jobs calls it only when the journal has committed what it tells of.
 class Outbox {
  public:
   virtual ~Outbox() = default;

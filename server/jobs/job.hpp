@@ -1,0 +1,46 @@
+// One request between its receipt and the commit of its final state.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "jobs/ports.hpp"
+
+namespace foothold::server {
+
+// A final state that is decided and waits: for the worker to heed its stop token, or to die.
+struct Ending {
+  msg::State state = msg::FAILED;
+  msg::Error error;
+};
+
+struct Job {
+  msg::PlanRequest request;
+  Stamp received = 0;
+  Time deadline{};         // the budget's end
+  Time arrived{};          // receipt, on this process's clock
+  std::uint64_t turn = 0;  // place in the order of receipt
+
+  msg::PlanEvent last;            // the last change of state, as told (without the scene)
+  bool told = false;              // false while a RUNNING event waits for the scene's shapes
+  std::vector<msg::Shape> scene;  // the shapes that the RUNNING event shall carry
+
+  std::optional<Run> run;
+  Time started{};  // of the run
+  std::optional<Ending> ending;
+
+  std::uint32_t steps = 0;      // written to the journal, the running batch's included
+  std::uint32_t committed = 0;  // of these, made durable
+  std::uint32_t seen = 0;       // that the current run has handed over
+  std::vector<Bytes> replay;    // steps of a run before a restart, which this run must repeat
+
+  bool ran = false;           // it was RUNNING once
+  bool accepted = false;      // its receipt is durable
+  bool touched = false;       // the running batch writes of it
+  std::optional<Time> alarm;  // its entry among the timers
+
+  bool ended() const { return last.state() >= msg::SUCCEEDED; }
+};
+
+}  // namespace foothold::server

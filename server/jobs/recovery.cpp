@@ -1,0 +1,43 @@
+// After a restart: what the journal holds as unfinished ends, or runs again if it asked for that.
+#include <algorithm>
+
+#include "foothold/msg/errors.hpp"
+#include "jobs/admission/admission.hpp"
+#include "jobs/jobs.hpp"
+
+namespace foothold::server {
+
+void Jobs::recover() {
+  for (Record& record : ports_.journal.unfinished()) resume(std::move(record));
+}
+
+void Jobs::resume(Record record) {
+  const Id id = record.request.id();
+  Job& job = jobs_[id];
+  job.request = std::move(record.request);
+  job.received = record.received;
+  // A wall clock that was set back must not lengthen the budget.
+  const Duration elapsed = std::chrono::nanoseconds(std::max<Stamp>(0, ports_.clock.stamp() - record.received));
+  job.arrived = ports_.clock.now() - elapsed;
+  job.started = job.arrived;
+  job.deadline = job.arrived + std::chrono::duration_cast<Duration>(std::chrono::duration<double>(job.request.budget()));
+  job.turn = turns_++;
+  job.accepted = true;
+  job.steps = job.committed = record.steps;
+  job.ran = record.steps > 0;
+
+  if (!job.request.resume())
+    return finish(job,
+                  {msg::FAILED, msg::make_error(msg::SERVER_RESTARTED, "the server was restarted before the plan was finished")});
+  if (job.deadline <= ports_.clock.now()) return finish(job, {msg::EXPIRED, budget_error(job)});
+  const RobotStatus status = ports_.planners.status(job.request.robot());
+  if (auto refusal = admit(job.request, options_.budget_max, status, ports_.scenes))
+    return finish(job, {msg::FAILED, std::move(*refusal)});
+  job.replay = ports_.journal.steps(id, 0);
+  if (can_start(job.request.robot())) return start(job);
+  queue_.add(job.request.robot(), job.request.priority(), job.turn, id);
+  set_alarm(job, job.deadline);
+  tell(job, msg::QUEUED, {});
+}
+
+}  // namespace foothold::server
