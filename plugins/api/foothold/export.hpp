@@ -4,7 +4,7 @@
 //   FOOTHOLD_EXPORT_PLANNER(MyPlanner, (foothold::PlannerInfo{.name = "mine", .version = "1.0.0", ...}))
 //
 // The host refuses the library in one sentence that holds both values if API version, sizes, alignments, compiler, standard library
-// or Eigen's alignment differ from its own (foothold/loader.hpp).
+// or Eigen's alignment differ from its own (server/worker/loader.hpp).
 #pragma once
 
 #include <cstddef>
@@ -37,10 +37,10 @@ struct PluginAbi {
   std::uint32_t api_version = 0;
   std::uint32_t sizeof_step = 0, alignof_step = 0;
   std::uint32_t sizeof_request = 0, sizeof_report = 0, sizeof_shape = 0, sizeof_context = 0;
-  std::uint32_t sizeof_info = 0, sizeof_spec = 0;
+  std::uint32_t sizeof_info = 0, sizeof_spec = 0, sizeof_verdict = 0, sizeof_scene = 0, sizeof_model = 0, sizeof_parameters = 0;
   std::uint32_t eigen_max_align = 0;
   std::uint32_t cxx11_abi = 0;
-  char compiler[24] = {};
+  char compiler[24] = {};  // "gcc 12.2.0"; vendor and major version are compared
 };
 
 struct PluginDescriptor {
@@ -63,6 +63,10 @@ constexpr PluginAbi this_abi() {
   abi.sizeof_context = sizeof(PlanContext);
   abi.sizeof_info = sizeof(PlannerInfo);
   abi.sizeof_spec = sizeof(ParameterSpec);
+  abi.sizeof_verdict = sizeof(StepVerdict);
+  abi.sizeof_scene = sizeof(Scene);
+  abi.sizeof_model = sizeof(RobotModel);
+  abi.sizeof_parameters = sizeof(Parameters);
   abi.eigen_max_align = EIGEN_MAX_ALIGN_BYTES;
   abi.cxx11_abi = _GLIBCXX_USE_CXX11_ABI;
   constexpr char name[] =
@@ -71,7 +75,6 @@ constexpr PluginAbi this_abi() {
 #else
       "gcc " __VERSION__;
 #endif
-  // Major and minor version only would need parsing; a prefix is enough to tell two compilers apart.
   for (std::size_t i = 0; i + 1 < sizeof(abi.compiler) && i + 1 < sizeof(name); ++i) abi.compiler[i] = name[i];
   return abi;
 }

@@ -16,16 +16,17 @@ namespace foothold::msg {
 
 using Bytes = std::vector<std::byte>;
 
-// Appends nothing, keeps capacity: `out` holds exactly the message afterwards. Thread rule: none, works on its arguments only.
+// Keeps the first `prefix` octets of `out` (a frame's header; made if absent), and its capacity: the rest is exactly the message
+// afterwards. Thread rule: none, works on its arguments only.
 template <class Message>
-void encode_into(const Message& message, Bytes& out) {
+void encode_into(const Message& message, Bytes& out, std::size_t prefix = 0) {
   // Encapsulation plus the payload; alignment is counted from behind the encapsulation.
-  out.resize(4 + Message::getCdrSerializedSize(message));
-  eprosima::fastcdr::FastBuffer buffer(reinterpret_cast<char*>(out.data()), out.size());
+  out.resize(prefix + 4 + Message::getCdrSerializedSize(message));
+  eprosima::fastcdr::FastBuffer buffer(reinterpret_cast<char*>(out.data()) + prefix, out.size() - prefix);
   eprosima::fastcdr::Cdr cdr(buffer, eprosima::fastcdr::Cdr::LITTLE_ENDIANNESS, eprosima::fastcdr::Cdr::DDS_CDR);
   cdr.serialize_encapsulation();
   message.serialize(cdr);
-  out.resize(cdr.getSerializedDataLength());
+  out.resize(prefix + cdr.getSerializedDataLength());
 }
 
 template <class Message>

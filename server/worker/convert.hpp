@@ -1,0 +1,27 @@
+// Between the wire's messages and the planner's domain types.
+#pragma once
+
+#include <foothold.h>
+#include <worker.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "foothold/planner.hpp"
+
+namespace foothold::server {
+
+Request to_request(const msg::PlanRequest& request, double budget_left);
+RobotModel to_model(const std::vector<frame::ModelEntry>& entries);
+
+// Everything but request, index, margins and shapes.
+msg::Step to_message(const Step& step);
+std::vector<msg::Shape> to_message(const std::vector<Shape>& shapes);
+std::vector<msg::Margin> to_message(const std::vector<Margin>& margins);
+
+// What a message must not hold: the path of a number that is not finite or of a rotation that is none, and why. Nothing if sound.
+std::optional<std::string> unsound_part(const Step& step);
+std::optional<std::string> unsound_part(const std::vector<Shape>& shapes);
+
+}  // namespace foothold::server
