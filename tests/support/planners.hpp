@@ -17,7 +17,7 @@ inline TestRobot bad_robot(const std::string& plugin) { return {plugin, plugin, 
 
 // `pause`: s before each step.
 inline msg::PlanRequest paced_request(const std::string& robot, std::uint32_t steps, double pause) {
-  return request_for(robot, 60.0, {{"steps", std::to_string(steps)}, {"pause", std::to_string(pause)}});
+  return request_for(robot, 60.0, {{"steps", std::to_string(steps)}, {"pause_us", std::to_string(static_cast<int>(pause * 1e6))}});
 }
 
 // For daemons whose planners are killed on purpose, again and again.
