@@ -4,6 +4,7 @@
 #include <atomic>
 #include <future>
 
+#include "eventually.hpp"
 #include "foothold/client/client.hpp"
 #include "scripted_server.hpp"
 
@@ -51,7 +52,7 @@ TEST(Client, HoldsThePlanOpenUntilTheStepsThatTheFinalEventOvertookAreThere) {
   pair.network.set_faults(transport::Topic::kStep, {.stalled = true});
   pair.server.set_script({.steps = 5, .final_first = true});
   Plan plan = pair.client.submit(request_for("robot"));
-  while (plan.state() != msg::SUCCEEDED) std::this_thread::yield();
+  ASSERT_TRUE(eventually([&] { return plan.state() == msg::SUCCEEDED; }));
   EXPECT_FALSE(plan.ended());
   EXPECT_FALSE(plan.wait(0.0));
   pair.network.set_faults(transport::Topic::kStep, {});
@@ -90,7 +91,7 @@ TEST(Client, SendsAnUnansweredRequestAgainUnderTheSameId) {
   Client client(network.bus(), {.resend_after = 0.02});
   ASSERT_TRUE(client.wait_for_robot("robot", kSoon));
   Plan plan = client.submit(request_for("robot"));
-  while (server.requests().size() < 3) std::this_thread::yield();
+  ASSERT_TRUE(eventually([&] { return server.requests().size() >= 3; }));
   server.set_script({.steps = 3});
   ASSERT_TRUE(plan.wait(kSoon));
   EXPECT_GE(plan.traffic().requests, 3u);

@@ -1,6 +1,6 @@
 // A plan as one JSON document: the request, the final event with its summary, the scene's shapes and every step. `foothold plan -o`
 // writes it, `foothold draw` and `foothold replay` read it. Numbers keep every bit; what is not finite is written as "nan", "inf"
-// or "-inf"; ids are 32 hexadecimal digits; enumerations are their names in foothold.idl.
+// or "-inf"; ids are 32 hexadecimal digits; enumerations are their names in foothold.idl. Text that is no UTF-8 loses those octets.
 #pragma once
 
 #include <stdexcept>
@@ -31,5 +31,6 @@ std::string to_json_line(const msg::Step& step);
 std::string to_json_line(const msg::PlanEvent& event);
 std::string to_json_line(const msg::RobotInfo& robot);
 std::string to_json_line(const msg::SceneStatus& scene);
+std::string to_json_line(const msg::ServerInfo& server);
 
 }  // namespace foothold::client
