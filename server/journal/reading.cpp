@@ -1,0 +1,94 @@
+// The journal in SQLite: reading.
+#include "journal/guarded.hpp"
+
+namespace foothold::server {
+namespace {
+
+template <class Message>
+Message decoded(std::span<const std::byte> bytes, const std::string& what) {
+  auto message = msg::decode<Message>(bytes);
+  if (!message) throw JournalError("the journal is damaged: " + what + " cannot be read");
+  return std::move(*message);
+}
+
+}  // namespace
+
+std::optional<SqliteJournal::Row> SqliteJournal::row_of(const Id& request) {
+  if (const auto known = rows_.find(request); known != rows_.end()) return known->second;
+  const sqlite::Reset reset(sql_.row_of);
+  sql_.row_of.bind(1, std::span<const std::uint8_t>(request));
+  if (!sql_.row_of.step()) return std::nullopt;
+  return sql_.row_of.integer(0);
+}
+
+bool SqliteJournal::knows(const Id& request) {
+  return reading([&] { return row_of(request).has_value(); });
+}
+
+std::optional<Record> SqliteJournal::find(const Id& request) {
+  return reading([&]() -> std::optional<Record> {
+    const auto row = row_of(request);
+    if (!row) return std::nullopt;
+    return record(*row);
+  });
+}
+
+Record SqliteJournal::record(Row row) {
+  const std::string name = "request row " + std::to_string(row);
+  Record record;
+  {
+    const sqlite::Reset reset(sql_.request);
+    if (!sql_.request.bind(1, row).step()) throw JournalError("the journal is damaged: " + name + " is missing");
+    record.received = sql_.request.integer(0);
+    record.request = decoded<msg::PlanRequest>(sql_.request.bytes(1), name);
+  }
+  {
+    const sqlite::Reset reset(sql_.ending);
+    if (sql_.ending.bind(1, row).step()) record.final_event = decoded<msg::PlanEvent>(sql_.ending.bytes(0), "the end of " + name);
+  }
+  {
+    const sqlite::Reset reset(sql_.scene);
+    if (sql_.scene.bind(1, row).step())
+      record.scene = std::move(decoded<msg::PlanEvent>(sql_.scene.bytes(0), "the scene of " + name).scene());
+  }
+  const std::int64_t first = row * kMostSteps;
+  const sqlite::Reset reset(sql_.last_step);
+  sql_.last_step.bind(1, first).bind(2, first + kMostSteps - 1);
+  if (sql_.last_step.step() && !sql_.last_step.is_null(0))
+    record.steps = static_cast<std::uint32_t>(sql_.last_step.integer(0) - first + 1);
+  return record;
+}
+
+std::vector<Bytes> SqliteJournal::steps(const Id& request, std::uint32_t from) {
+  return reading([&] {
+    std::vector<Bytes> steps;
+    const auto row = row_of(request);
+    if (!row || from >= kMostSteps) return steps;
+    const std::int64_t first = *row * kMostSteps;
+    const sqlite::Reset reset(sql_.steps);
+    sql_.steps.bind(1, first + from).bind(2, first + kMostSteps - 1);
+    while (sql_.steps.step()) {
+      const auto bytes = sql_.steps.bytes(0);
+      steps.emplace_back(bytes.begin(), bytes.end());
+    }
+    return steps;
+  });
+}
+
+std::vector<Record> SqliteJournal::unfinished() {
+  return reading([&] {
+    std::vector<Row> rows;
+    {
+      const sqlite::Reset reset(sql_.unfinished);
+      while (sql_.unfinished.step()) rows.push_back(sql_.unfinished.integer(0));
+    }
+    std::vector<Record> records;
+    for (const Row row : rows) {
+      records.push_back(record(row));
+      rows_[records.back().request.id()] = row;
+    }
+    return records;
+  });
+}
+
+}  // namespace foothold::server
