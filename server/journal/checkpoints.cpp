@@ -6,11 +6,6 @@
 #include "sqlite/sqlite.hpp"
 
 namespace foothold::server {
-namespace {
-
-constexpr int kEnoughPages = 1000;  // 4 MB
-
-}  // namespace
 
 Checkpoints::Checkpoints(std::string path) : path_(std::move(path)), thread_([this] { work(); }) {}
 
@@ -23,8 +18,8 @@ Checkpoints::~Checkpoints() {
   thread_.join();
 }
 
-void Checkpoints::log_grew(int pages) {
-  if (pages < kEnoughPages || busy_) return;
+void Checkpoints::start() {
+  if (busy_.exchange(true)) return;
   {
     const std::lock_guard lock(mutex_);
     due_ = true;
@@ -40,7 +35,6 @@ void Checkpoints::work() {
       wake_.wait(lock, [&] { return due_ || stopping_; });
       if (stopping_) return;
       due_ = false;
-      busy_ = true;
       lock.unlock();
       // Passive: never in the way of the loop. A failure (disk full) only means that the log stays long; the next one tries again.
       sqlite3_wal_checkpoint_v2(database.handle(), nullptr, SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
@@ -48,7 +42,8 @@ void Checkpoints::work() {
       lock.lock();
     }
   } catch (const sqlite::Error&) {
-    // Without this thread the loop makes the checkpoints itself when the log is too long (journal.cpp).
+    busy_ = true;
+    // It stays busy for ever, and the loop makes the checkpoints itself when the log is far too long (journal.cpp).
   }
 }
 

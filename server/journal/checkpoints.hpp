@@ -17,8 +17,10 @@ class Checkpoints {
   Checkpoints(const Checkpoints&) = delete;
   Checkpoints& operator=(const Checkpoints&) = delete;
 
-  // The log holds so many pages now: wakes the thread if they are enough. Any thread, never waits for the disk.
-  void log_grew(int pages);
+  // Wakes the thread. Any thread, never waits for the disk.
+  void start();
+  // A checkpoint is under way or asked for.
+  bool busy() const { return busy_; }
 
  private:
   void work();

@@ -11,8 +11,11 @@ namespace foothold::server {
 namespace {
 
 constexpr std::int64_t kApplication = 0x666F6F74;  // "foot", in the file's header
-constexpr int kTooLongLog = 16384;                 // pages: 64 MB
-constexpr std::int64_t kCheckedPages = 16384;      // larger files are not read as a whole at start
+// Pages of the log, 4 kB each: when to carry it over, when to begin it anew, and when to do that at any price.
+constexpr int kCheckpointLog = 1000;
+constexpr int kLongLog = 32768;
+constexpr int kFarTooLongLog = 131072;
+constexpr std::int64_t kCheckedPages = 16384;  // larger files are not read as a whole at start
 
 constexpr const char* kSchema = R"(
   PRAGMA application_id = 0x666F6F74;
@@ -21,10 +24,8 @@ constexpr const char* kSchema = R"(
   CREATE TABLE unfinished (row INTEGER PRIMARY KEY);
   CREATE TABLE ending (row INTEGER PRIMARY KEY, stamp INTEGER NOT NULL, event BLOB NOT NULL);
   CREATE TABLE scene (row INTEGER PRIMARY KEY, event BLOB NOT NULL);
-  CREATE TABLE step (key INTEGER PRIMARY KEY, body BLOB NOT NULL);
+  CREATE TABLE step (request INTEGER NOT NULL, number INTEGER NOT NULL, body BLOB NOT NULL, UNIQUE (request, number));
 )";
-
-std::int64_t step_key(std::int64_t row, std::uint32_t index) { return row * SqliteJournal::kMostSteps + index; }
 
 }  // namespace
 
@@ -48,15 +49,21 @@ void SqliteJournal::open() {
     throw JournalError(database_.path() + ": has no server id; move it away");
   std::memcpy(server_id_.data(), id.bytes(0).data(), server_id_.size());
   checkpoints_.emplace(database_.path());
-  sqlite3_wal_hook(
-      database_.handle(),
-      [](void* self, sqlite3* database, const char*, int pages) {
-        // Only if the thread does not keep up, or cannot be: the loop waits for the disk then.
-        if (pages > kTooLongLog) sqlite3_wal_checkpoint_v2(database, nullptr, SQLITE_CHECKPOINT_RESTART, nullptr, nullptr);
-        static_cast<SqliteJournal*>(self)->checkpoints_->log_grew(pages);
-        return SQLITE_OK;
-      },
-      this);
+  const auto log_grew = [](void* self, sqlite3*, const char*, int pages) {
+    static_cast<SqliteJournal*>(self)->keep_log_short(pages);
+    return SQLITE_OK;
+  };
+  sqlite3_wal_hook(database_.handle(), log_grew, this);
+}
+
+// Under load the thread never catches up with the last page, so the log would grow for ever. It is begun anew from here, just after
+// the thread has done its part: then little is left to do while the loop waits for the disk.
+void SqliteJournal::keep_log_short(int pages) {
+  const bool rested = !checkpoints_->busy();
+  if ((pages > kLongLog && rested) || pages > kFarTooLongLog)
+    sqlite3_wal_checkpoint_v2(database_.handle(), nullptr, SQLITE_CHECKPOINT_RESTART, nullptr, nullptr);
+  else if (pages > kCheckpointLog)
+    checkpoints_->start();
 }
 
 void SqliteJournal::create() {
@@ -89,7 +96,7 @@ void SqliteJournal::prepare() {
   sql_.commit = make("COMMIT");
   sql_.add_request = make("INSERT INTO request (id, received, body) VALUES (?, ?, ?)");
   sql_.add_unfinished = make("INSERT INTO unfinished VALUES (?)");
-  sql_.add_step = make("INSERT INTO step VALUES (?, ?)");
+  sql_.add_step = make("INSERT INTO step VALUES (?, ?, ?)");
   sql_.set_scene = make("INSERT OR REPLACE INTO scene VALUES (?, ?)");
   sql_.end_unfinished = make("DELETE FROM unfinished WHERE row = ?");
   sql_.add_ending = make("INSERT INTO ending VALUES (?, ?, ?)");
@@ -97,12 +104,12 @@ void SqliteJournal::prepare() {
   sql_.request = make("SELECT received, body FROM request WHERE row = ?");
   sql_.ending = make("SELECT event FROM ending WHERE row = ?");
   sql_.scene = make("SELECT event FROM scene WHERE row = ?");
-  sql_.last_step = make("SELECT max(key) FROM step WHERE key BETWEEN ? AND ?");
-  sql_.steps = make("SELECT body FROM step WHERE key BETWEEN ? AND ? ORDER BY key");
+  sql_.last_step = make("SELECT max(number) FROM step WHERE request = ?");
+  sql_.steps = make("SELECT body FROM step WHERE request = ? AND number >= ? ORDER BY number");
   sql_.unfinished = make("SELECT row FROM unfinished ORDER BY row");
   // In the order of receipt, which is the order of the ends but for a budget.
   sql_.old = make("SELECT row, stamp FROM ending ORDER BY row LIMIT ?");
-  sql_.forget_steps = make("DELETE FROM step WHERE key BETWEEN ? AND ?");
+  sql_.forget_steps = make("DELETE FROM step WHERE request = ?");
   sql_.forget_scene = make("DELETE FROM scene WHERE row = ?");
   sql_.forget_ending = make("DELETE FROM ending WHERE row = ?");
   sql_.forget_request = make("DELETE FROM request WHERE row = ?");
@@ -123,8 +130,7 @@ void SqliteJournal::add_request(const msg::PlanRequest& request, Stamp received)
 
 void SqliteJournal::add_step(const Id& request, std::uint32_t index, const Bytes& step) {
   writing([&] {
-    if (index >= kMostSteps) throw JournalError("a plan of more than " + std::to_string(kMostSteps) + " steps cannot be stored");
-    sql_.add_step.bind(1, step_key(row_for_writing(request), index)).bind(2, std::span<const std::byte>(step)).run();
+    sql_.add_step.bind(1, row_for_writing(request)).bind(2, std::int64_t{index}).bind(3, std::span<const std::byte>(step)).run();
   });
 }
 
@@ -171,7 +177,7 @@ bool SqliteJournal::forget_before(Stamp stamp) {
         if (sql_.old.integer(1) < stamp) rows.push_back(sql_.old.integer(0));
     }
     for (const Row row : rows) {
-      sql_.forget_steps.bind(1, step_key(row, 0)).bind(2, step_key(row, kMostSteps - 1)).run();
+      sql_.forget_steps.bind(1, row).run();
       sql_.forget_scene.bind(1, row).run();
       sql_.forget_ending.bind(1, row).run();
       sql_.forget_request.bind(1, row).run();

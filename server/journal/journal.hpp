@@ -5,8 +5,8 @@
 // end of this process; after a power failure the last moments may be missing, never the consistency. No fsync on the loop: the log
 // is carried over into the database by a thread of its own (checkpoints.hpp).
 //
-// Requests and steps have integer row numbers: step n of request row r has the row number r * 2^24 + n, so that a step is one
-// insertion into one tree.
+// Requests have integer row numbers. Steps lie in the order of their arrival, so that steps of many plans fill few pages; a small
+// index leads from (request, number) to them.
 #pragma once
 
 #include <optional>
@@ -40,7 +40,6 @@ class SqliteJournal final : public Journal {
   bool forget_before(Stamp stamp) override;
 
   static constexpr int kSchemaVersion = 1;
-  static constexpr std::uint32_t kMostSteps = 1U << 24;  // of one request
 
  private:
   using Row = std::int64_t;
@@ -54,6 +53,7 @@ class SqliteJournal final : public Journal {
   void create();
   void check_file();
   void prepare();
+  void keep_log_short(int pages);
   std::optional<Row> row_of(const Id& request);
   Row row_for_writing(const Id& request);
   Record record(Row row);

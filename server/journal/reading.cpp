@@ -51,11 +51,9 @@ Record SqliteJournal::record(Row row) {
     if (sql_.scene.bind(1, row).step())
       record.scene = std::move(decoded<msg::PlanEvent>(sql_.scene.bytes(0), "the scene of " + name).scene());
   }
-  const std::int64_t first = row * kMostSteps;
   const sqlite::Reset reset(sql_.last_step);
-  sql_.last_step.bind(1, first).bind(2, first + kMostSteps - 1);
-  if (sql_.last_step.step() && !sql_.last_step.is_null(0))
-    record.steps = static_cast<std::uint32_t>(sql_.last_step.integer(0) - first + 1);
+  if (sql_.last_step.bind(1, row).step() && !sql_.last_step.is_null(0))
+    record.steps = static_cast<std::uint32_t>(sql_.last_step.integer(0) + 1);
   return record;
 }
 
@@ -63,10 +61,9 @@ std::vector<Bytes> SqliteJournal::steps(const Id& request, std::uint32_t from) {
   return reading([&] {
     std::vector<Bytes> steps;
     const auto row = row_of(request);
-    if (!row || from >= kMostSteps) return steps;
-    const std::int64_t first = *row * kMostSteps;
+    if (!row) return steps;
     const sqlite::Reset reset(sql_.steps);
-    sql_.steps.bind(1, first + from).bind(2, first + kMostSteps - 1);
+    sql_.steps.bind(1, *row).bind(2, std::int64_t{from});
     while (sql_.steps.step()) {
       const auto bytes = sql_.steps.bytes(0);
       steps.emplace_back(bytes.begin(), bytes.end());
