@@ -1,0 +1,67 @@
+// footholdd.yaml.
+#include <filesystem>
+
+#include "config/reading.hpp"
+#include "config/section.hpp"
+
+namespace foothold::server {
+namespace {
+
+constexpr Bounds kTime{0.0, 86400.0};
+constexpr double kYear = 366 * 86400.0;
+
+void read_dds(Section dds, DdsConfig& out) {
+  dds.choice("vendor", out.vendor, {"cyclone", "fastdds"});
+  std::size_t domain = out.domain;
+  dds.count("domain", domain, {0, 200});
+  out.domain = static_cast<std::uint32_t>(domain);
+  dds.path("network_config", out.network_config, Section::Kind::kFile);
+  dds.end();
+}
+
+void read_workers(Section workers, WorkersConfig& out) {
+  workers.seconds("restart_first", out.restart_first, {0.001, 3600});
+  workers.seconds("restart_longest", out.restart_longest, {0.001, 3600});
+  workers.seconds("start_limit", out.start_limit, {0.1, 3600});
+  workers.count("quarantine_crashes", out.quarantine_crashes, {1, 1e6});
+  workers.seconds("quarantine_window", out.quarantine_window, {0.001, 86400});
+  workers.seconds("quarantine_time", out.quarantine_time, {0.001, 86400});
+  if (out.restart_longest < out.restart_first) workers.fault("restart_longest", "must not be below restart_first");
+  workers.end();
+}
+
+void read_scenes(Section scenes, ScenesConfig& out) {
+  scenes.octets("max_bytes", out.max_bytes, {1, 4e9});
+  scenes.paths("preload", out.preload, Section::Kind::kFolder);
+  scenes.end();
+}
+
+}  // namespace
+
+ServerConfig read_server_config(const std::string& file) {
+  Faults faults;
+  ServerConfig config;
+  if (const auto tree = load_yaml(file, faults)) {
+    Section root(faults, file, *tree);
+    root.text("name", config.name, 64);
+    read_dds(root.section("dds"), config.dds);
+    root.path("state_dir", config.state_dir);
+    root.path("plugin_dir", config.plugin_dir, Section::Kind::kFolder);
+    root.require("robots_dir");
+    root.path("robots_dir", config.robots_dir, Section::Kind::kFolder);
+    root.path("worker", config.worker, Section::Kind::kFile);
+    root.count("queue_limit", config.queue_limit, {1, 1e6});
+    root.seconds("budget_max", config.budget_max, {0.001, 7 * 86400.0});
+    root.seconds("grace", config.grace, {0.001, 60});
+    root.seconds("cancel_memory", config.cancel_memory, kTime);
+    root.seconds("retention", config.retention, {1, 10 * kYear});
+    read_workers(root.section("workers"), config.workers);
+    read_scenes(root.section("scenes"), config.scenes);
+    root.choice("log_level", config.log_level, {"trace", "debug", "info", "warn", "error", "off"});
+    root.end();
+  }
+  if (!faults.empty()) throw ConfigError(faults);
+  return config;
+}
+
+}  // namespace foothold::server
