@@ -115,7 +115,7 @@ Points common_part(const Points& a, const Points& b, bool in_one_plane_too) {
   std::vector<HalfSpace> edges;
   for (std::size_t i = 0; i < b.size(); ++i) {
     const Vector3d outward = (b[(i + 1) % b.size()] - b[i]).cross(normal);
-    if (outward.norm() > 0.0) edges.push_back({outward.normalized(), outward.normalized().dot(b[i]) - thin});
+    if (outward.norm() > 0.0) edges.push_back({outward.normalized(), outward.normalized().dot(b[i])});
   }
   if (farthest <= thin) {
     if (!in_one_plane_too) return {};
@@ -157,17 +157,20 @@ Piece piece_of(const Body& body) {
   return piece;
 }
 
-// Does the body stand there with a contact of its own: is the contact on the body and the region near the contact?
+// Does the body stand there with a contact of its own: is the contact on the body, and the region near the contact and its tangent
+// plane?
 bool stands(const Piece& robot, const Points& region, const Stance& stance) {
   if (robot.sides.empty()) return false;
   const Body& body = *robot.body;
   const double thickness = is_round(body) ? body.size.x() : body.size.minCoeff();
   const double near = is_round(body) ? 3.0 * body.size.x() : body.size.norm() / 2.0;
+  const double sunk = is_round(body) ? 1.5 * body.size.x() : body.size.minCoeff() / 2.0;
   const double slack = thickness * (kOwnContact + (is_round(body) ? kRoundShrink : kBoxShrink));
   const auto is_at = [&](const Foothold& contact) {
     const Vector3d place = contact.frame.translation();
-    return inside(place, robot.sides, slack) &&
-           std::all_of(region.begin(), region.end(), [&](const Vector3d& p) { return (p - place).norm() <= near; });
+    return inside(place, robot.sides, slack) && std::all_of(region.begin(), region.end(), [&](const Vector3d& p) {
+             return (p - place).norm() <= near && std::abs(contact.frame.linear().col(2).dot(p - place)) <= sunk;
+           });
   };
   return std::any_of(stance.holding.begin(), stance.holding.end(), is_at) ||
          std::any_of(stance.placed.begin(), stance.placed.end(), is_at);

@@ -76,8 +76,8 @@ struct Layout {
   double height = 0.0;
 };
 
-// Both views at one scale, side by side. A given height bounds the views; else they are as high as their content needs, within
-// reason.
+// The views side by side, each as large as it fits. A given height bounds the views; else they are as high as their content needs,
+// within reason.
 Layout lay_out(const Plan& plan, const DrawOptions& options, double title_height, double legend_height) {
   struct View {
     Camera camera;
@@ -98,46 +98,40 @@ Layout lay_out(const Plan& plan, const DrawOptions& options, double title_height
         "oblique, seen from azimuth " + compact(options.azimuth) + "\xC2\xB0, elevation " + compact(options.elevation) + "\xC2\xB0",
         false);
 
-  // The views share the width as their contents need it, neither less than 0.35 of it; one scale serves both.
+  // The views share the width as their contents need it, neither less than 0.35 of it.
   const double rulers = options.views == Views::kOblique ? 0.0 : kRulerWidth;
   const double width = options.width - kMargin * static_cast<double>(views.size() + 1) - rulers;
-  double highest = 0.0, sum = 0.0;
-  for (const View& view : views) {
-    highest = std::max(highest, view.reach.height);
-    sum += view.reach.width;
-  }
-  if (sum < 1e-9 && highest < 1e-9) sum = kSinglePoint;
-  std::vector<double> widths;
-  for (const View& view : views)
-    widths.push_back(views.size() == 1 ? width : width * std::clamp(sum > 0.0 ? view.reach.width / sum : 0.5, 0.35, 0.65));
-  double scale = INFINITY;
-  for (std::size_t i = 0; i < views.size(); ++i)
-    if (const double reaches = views.size() == 1 ? sum : views[i].reach.width; reaches > 0.0)
-      scale = std::min(scale, (widths[i] - 2.0 * kInside) / reaches);
-
-  const double outer = title_height + kCaption + kRulerHeight + legend_height + kMargin;
+  double sum = 0.0;
+  for (const View& view : views) sum += view.reach.width;
   const double others = kInside + kInsideBottom;
-  double height = options.height - outer;
-  if (options.height == 0.0) {
-    constexpr double kLowest = 0.25, kHighest = 0.75;  // of the picture's width
-    height = highest > 0.0 ? highest * scale + others : 0.0;
-    height = std::clamp(height, kLowest * options.width, kHighest * options.width);
+  std::vector<double> widths, scales;
+  double content_height = 0.0;
+  for (const View& view : views) {
+    widths.push_back(views.size() == 1 ? width : width * std::clamp(sum > 0.0 ? view.reach.width / sum : 0.5, 0.35, 0.65));
+    const double reach = view.reach.width > 0.0 || view.reach.height > 0.0 ? view.reach.width : kSinglePoint;
+    scales.push_back((widths.back() - 2.0 * kInside) / reach);  // infinite for an upright line
+    if (view.reach.height > 0.0) content_height = std::max(content_height, view.reach.height * scales.back());
   }
-  height = std::max(height, others + 40.0);
-  if (highest > 0.0) scale = std::min(scale, (height - others) / highest);
-  if (std::isinf(scale)) scale = (widths[0] - 2.0 * kInside) / kSinglePoint;
+  const double outer = title_height + kCaption + kRulerHeight + legend_height + kMargin;
+  constexpr double kLowest = 0.25, kHighest = 0.75;  // of the picture's width
+  const double wanted = options.height > 0.0
+                            ? options.height - outer
+                            : std::clamp(content_height + others, kLowest * options.width, kHighest * options.width);
+  const double height = std::max(wanted, others + 40.0);
 
   const double top = title_height + kCaption;
   double left = kMargin + rulers;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const View& view = views[i];
+    double scale = scales[i];
+    if (view.reach.height > 0.0) scale = std::min(scale, (height - others) / view.reach.height);
     Panel panel{view.caption, {}, {left, top, widths[i], height}, view.above};
     panel.projection = {view.camera, view.reach.centre, {left + widths[i] / 2.0, top + kInside + (height - others) / 2.0}, scale};
     layout.panels.push_back(panel);
     left += widths[i] + kMargin;
   }
   layout.legend_top = top + height + kRulerHeight;
-  layout.height = layout.legend_top + legend_height + kMargin;
+  layout.height = std::ceil(layout.legend_top + legend_height + kMargin);
   return layout;
 }
 

@@ -19,7 +19,8 @@ struct Palette {
   Colour x, y, z, way, crossing, crossing_edge;
 };
 
-constexpr std::array<Colour, kRobotHues> kHues{{{86, 180, 233}, {230, 159, 0}, {204, 121, 167}}};  // sky blue, orange, purple
+constexpr std::array<Colour, kRobotHues> kHues{
+    {{86, 180, 233}, {230, 159, 0}, {204, 121, 167}, {240, 228, 66}}};  // sky blue, orange, purple, yellow
 
 constexpr Palette kLight{.paper = {255, 255, 255},
                          .ink = {24, 24, 24},
@@ -121,7 +122,7 @@ std::string style_sheet() {
       "path,line,circle,rect{stroke-linejoin:round;stroke-linecap:round}\n"
       ".g{fill:none;stroke-width:.8}.il,.ql{fill:none;stroke-width:1}\n"
       ".f{stroke-width:.8}.n{stroke-width:.5}.e{fill:none;stroke-width:.8}.m path{stroke-width:.3}\n"
-      ".r0,.r1,.r2{stroke-width:.9}.h{fill:none;stroke-dasharray:4 3;stroke-width:1}.sk{fill:none;stroke-width:2.5}\n"
+      ".r0,.r1,.r2,.r3{stroke-width:.9}.h{fill:none;stroke-dasharray:4 3;stroke-width:1}.sk{fill:none;stroke-width:2.5}\n"
       ".ax,.ay,.az{fill:none;stroke-width:2}.d{stroke-dasharray:2.5 2.5;stroke-linecap:butt;stroke-width:1.4}\n"
       ".w{fill:none;stroke-width:1.8}.w.d{stroke-dasharray:5 4}\n"
       ".x{fill-opacity:.85;stroke-width:1.6}.xl{fill:none;stroke-width:3.5}.S,.G{stroke-width:1.6}.G{fill-opacity:.0}.S{fill-"

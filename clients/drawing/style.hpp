@@ -3,7 +3,7 @@
 //
 //   p paper   i ink (text)   q quiet ink   g grid   il ql lines in ink
 //   f0..f15 a scene's face by brightness; n: without its outline   e an outline of the scene; m: of a mesh
-//   r0..r2 a body of the robot; s0..s3 its brightness; h the outline of what is hidden of it
+//   r0..r3 a body of the robot; s0..s3 its brightness; h the outline of what is hidden of it
 //   ax ay az axes of a frame   w the base's way   d what is hidden of either   x where a body cuts the scene; xl: seen edge-on
 //   S start   G goal   k label; kl the line to what it names
 #pragma once
@@ -12,7 +12,7 @@
 
 namespace foothold::drawing {
 
-inline constexpr int kRobotHues = 3;
+inline constexpr int kRobotHues = 4;
 inline constexpr int kRobotShades = 4;
 
 // A <style> element.

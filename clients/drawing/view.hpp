@@ -18,7 +18,7 @@ struct Panel {
   bool above = false;
 };
 
-// Which colour each body of the robot has: one each for up to three names, else one for all.
+// Which colour each body of the robot has: one each for up to kRobotHues names, else one for all.
 class Hues {
  public:
   explicit Hues(const Plan& plan);

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   write("planar", samples::planar());
   write("biped", samples::biped(false));
   write("biped-through", samples::biped(true));
+  write("tower", samples::tower());
   write("hexapod", samples::hexapod());
   DrawOptions some;
   some.first_step = 3;

@@ -199,6 +199,43 @@ Drawing biped(bool through) {
   return finished("biped", drawing);
 }
 
+Drawing tower() {
+  Drawing drawing;
+  const auto bar = [&](const std::string& name, const Vector3d& from, const Vector3d& to, double half) {
+    const Vector3d along = (to - from).normalized();
+    const Vector3d u =
+        along.cross(Vector3d::UnitZ()).norm() > 0.1 ? along.cross(Vector3d::UnitZ()).normalized() : Vector3d::UnitX();
+    const Vector3d v = along.cross(u);
+    const auto corner = [&](const Vector3d& at, int k) {
+      return array(at + half * ((k == 0 || k == 3 ? -1.0 : 1.0) * u + (k < 2 ? -1.0 : 1.0) * v));
+    };
+    for (int k = 0; k < 4; ++k)
+      drawing.scene.push_back(polygon(name, {corner(from, k), corner(from, (k + 1) % 4), corner(to, (k + 1) % 4), corner(to, k)}));
+    drawing.scene.push_back(polygon(name, {corner(from, 3), corner(from, 2), corner(from, 1), corner(from, 0)}));
+    drawing.scene.push_back(polygon(name, {corner(to, 0), corner(to, 1), corner(to, 2), corner(to, 3)}));
+  };
+  const std::vector<Vector3d> feet{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const Vector3d bay(0, 0, 1.0);
+  for (int level = 0; level < 3; ++level)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vector3d low = feet[k] + level * bay, next = feet[(k + 1) % 4] + level * bay;
+      bar("column", low, low + bay, 0.04);
+      bar("ring", low + bay, next + bay, 0.03);
+      bar("diagonal", low, next + bay, 0.02);
+      bar("diagonal", next, low + bay, 0.02);
+    }
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const double z = 0.4 + 0.5 * i;
+    msg::Step s = step(i, pose(0.5, 0.5, z));
+    const std::array<double, 3> foot{0.04, 0.3 + 0.1 * i, 1.0 + (i > 1 ? 1.0 : 0.0)};
+    s.placed({contact(i % 2 == 0 ? "A" : "B", pose_on({foot[0] - 0.01, foot[1], foot[2]}, {1, 0, 0}, {0, 1, 0}), "ring")});
+    s.stance(s.placed());
+    s.shapes({box("body", 0.5, 0.5, z, 0.25, 0.25, 0.12), capsule("arm", {0.4, 0.5, z}, {foot[0] + 0.05, foot[1], foot[2]}, 0.03)});
+    drawing.steps.push_back(s);
+  }
+  return finished("tower", drawing);
+}
+
 Drawing hexapod() {
   Drawing drawing;
   const auto height = [](double x, double y) {

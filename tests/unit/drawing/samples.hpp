@@ -19,6 +19,8 @@ msg::Step step(std::uint32_t index, const msg::Pose& base);
 Drawing planar();
 // A biped climbing robot that goes from one beam to another; with `through` its last stance reaches through the second beam.
 Drawing biped(bool through);
+// A lattice tower of slanting bars, each drawn as its six faces, with one climber inside it.
+Drawing tower();
 // A hexapod on a terrain of triangles.
 Drawing hexapod();
 

@@ -66,6 +66,13 @@ TEST(Crossings, FootTipRoundItsOwnContactIsLeftOut) {
   EXPECT_FALSE(crossings_of({tibia}, ground, {contact("L1", pose(0.5, 0, 0))}).empty()) << "a contact elsewhere is none here";
 }
 
+// A body that stands in the plane has its contact under its middle: a wall that it is pushed into is none of its foothold.
+TEST(Crossings, WallBesideABodysOwnContactIsFound) {
+  const auto wall = polygon("wall", {{0.04, -1, 0}, {0.04, 1, 0}, {0.04, 1, 0.1}, {0.04, -1, 0.1}});
+  const auto body = box("A", 0, 0, 0.02, 0.1, 0.1, 0.04);
+  EXPECT_EQ(crossings_of({body}, {wall}, {contact("A", pose(0, 0, 0))}).size(), 1u);
+}
+
 TEST(Crossings, LegFromItsContactThroughTheBeamIsFoundOnTheFarSide) {
   const auto found = crossings_of({capsule("leg", {0, 0, 0.075}, {0, 0, -0.4}, 0.03)}, {kBeam}, {contact("A", pose(0, 0, 0.075))});
   ASSERT_EQ(found.size(), 1u);
