@@ -1,4 +1,4 @@
-// The bare bus of all four vendor pairs: round trip of a small message, samples per second of a step's size. bench_bus [--quick]
+// The bare bus of all four vendor pairs: round trip of a small message, samples per second of a step's size. bench_bus [--quick] [CLIENT SERVER]
 #include <unistd.h>
 
 #include <cstdio>
@@ -13,10 +13,12 @@ int main(int count, char** words) {
   const std::uint32_t samples = is_quick ? 20'000 : 60'000;
   const std::string vendors[] = {"cyclone", "fastdds"};
   std::uint32_t domain = 1 + static_cast<std::uint32_t>(getpid()) % 100;
+  const bool one_pair = count >= 3 && words[count - 1][0] != '-' && words[count - 2][0] != '-';
   std::vector<Figure> figures;
   std::printf("%-20s %12s %12s %14s\n", "client -> server", "echo p50 us", "echo p99 us", "samples/s");
   for (const std::string& client : vendors) {
     for (const std::string& server : vendors) {
+      if (one_pair && (client != words[count - 2] || server != words[count - 1])) continue;
       std::vector<double> times;
       {
         RawEcho echo({client, server, ++domain});

@@ -81,5 +81,16 @@ TEST_P(HistoryOfPair, IsFullWhileAReaderLagsAndLosesNothing) {
   expect_numbers(reader.messages(), 0, sent + 1);
 }
 
+// Fast DDS 2.9 hung for ever in a third of such ends.
+TEST_P(HistoryOfPair, ClosesAWriterWhoseReaderLags) {
+  for (int round = 0; round < 6; ++round) {
+    Peer reader(bus_peer(GetParam().reader, "read", Topic::kStep, "p"));
+    const auto bus = open_bus({.vendor = GetParam().writer, .domain = test_domain()});
+    const auto writer = bus->writer(Topic::kStep, "p");
+    ASSERT_TRUE(eventually([&] { return writer->matched() == 1; }));
+    for (std::uint32_t i = 0; i < 8000; ++i) ASSERT_NE(writer->write(numbered(i, 100)), Writer::Result::kFailed);
+  }
+}
+
 }  // namespace
 }  // namespace foothold::interop

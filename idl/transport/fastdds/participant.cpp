@@ -24,6 +24,10 @@ constexpr const char* kLoopback = "127.0.0.1";
 constexpr const char* kProfile = "foothold";
 // Above the number of DDS programs of both vendors on one host.
 constexpr std::uint32_t kParticipantsPerHost = 60;
+// Octets, or what the kernel allows (net.core.rmem_max): a burst waits here until its reader comes to run.
+constexpr std::uint32_t kSocketBuffer = 4U << 20U;
+// Octets after which a writer asks for acknowledgement along with a sample.
+constexpr std::uint32_t kSendBuffer = 64U << 10U;
 
 rtps::Locator_t loopback_locator() {
   rtps::Locator_t locator;
@@ -36,6 +40,8 @@ dds::DomainParticipantQos loopback_qos() {
   const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {kLoopback};
   udp->maxInitialPeersRange = kParticipantsPerHost;
+  udp->receiveBufferSize = kSocketBuffer;
+  udp->sendBufferSize = kSendBuffer;
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports = {udp};
   auto& builtin = qos.wire_protocol().builtin;

@@ -33,21 +33,24 @@ struct BusOptions {
   std::string network_config;
 };
 
-// What a reader tells. Called on the vendor's threads, one at a time for one reader: copy or post, then return; never write to the
-// bus, block, throw or destroy the reader inside.
+// What a reader tells. Called on the vendor's threads (with Cyclone also inside the write() of a writer in this process), one at a
+// time for one reader: copy or post, then return; never write to the bus, block, throw or destroy the reader inside.
 struct ReaderEvents {
-  std::function<void(std::span<const std::byte> message)> on_message;  // the bytes live until it returns
-  std::function<void(std::size_t matched)> on_matched;                 // writers matched now; optional
-  std::function<void(std::size_t alive)> on_liveliness;                // writers alive now; optional
+  // The bytes live until it returns. They may be any: whoever decodes them counts what is malformed.
+  std::function<void(std::span<const std::byte> message)> on_message;
+  std::function<void(std::size_t matched)> on_matched;   // writers matched now; optional
+  std::function<void(std::size_t alive)> on_liveliness;  // writers alive now; optional
 };
 
 class Writer {
  public:
+  // What is not acknowledged yet is lost: wait_acknowledged() first if that matters.
   virtual ~Writer() = default;
   enum class Result : std::uint8_t { kSent, kFull, kFailed };
-  // Never blocks. kFull: the history holds as much as it may and some reader has not acknowledged yet: try again later.
-  // kFailed: the bytes are not a message of the topic's type, or the vendor gave an error (last_error()). Any thread, one at a
-  // time.
+  // Never blocks. kFull: as much is under way as may be (about 256 kB, or 256 messages) and some matched reader has not
+  // acknowledged it yet: try again after a millisecond. A writer without readers is never full: it keeps the newest `history`
+  // messages. kFailed: the bytes bear no XCDR1 encapsulation or are too short for the topic's key, or the vendor gave an error
+  // (last_error()). Any thread, one at a time.
   virtual Result write(std::span<const std::byte> message) = 0;
   virtual std::string last_error() const = 0;
   virtual std::size_t matched() const = 0;  // readers matched now
