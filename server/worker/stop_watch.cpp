@@ -93,6 +93,11 @@ void StopWatch::watch() {
 void StopWatch::watch_one_run() {
   bool ended = false;
   for (;;) {
+    {
+      // First of all: a STOP may have come in one piece with the PLAN.
+      const std::lock_guard lock(mutex_);
+      if (running_) ended = look();
+    }
     pollfd watched[] = {{wake_, POLLIN, 0}, {channel_.descriptor(), POLLIN, 0}};
     // Once the daemon is gone its end would ring for ever.
     if (::poll(watched, ended ? 1 : 2, -1) < 0) continue;
@@ -100,8 +105,6 @@ void StopWatch::watch_one_run() {
       take_ring(wake_);
       return;
     }
-    const std::lock_guard lock(mutex_);
-    if (running_) ended = look();
   }
 }
 

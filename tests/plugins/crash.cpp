@@ -1,5 +1,4 @@
-// Dies of a signal in mid-plan, at the step and in the way that it is told.
-#include <array>
+// Dies in mid-plan, at the step and in the way that it is told.
 #include <csignal>
 #include <cstdlib>
 
@@ -24,8 +23,7 @@ class Crash : public test::Walker {
     const auto at = static_cast<int>(parameters.integer("at"));
     for (int index = 0; index < at; ++index)
       if (!context.emit(step(index))) return stopped();
-    if (parameters.text("how") == "not") return reached(at);
-    die(parameters.text("how"));
+    if (parameters.text("how") != "not") die(parameters.text("how"));
     return reached(at);
   }
 };
@@ -36,9 +34,4 @@ constexpr std::array kParameters = {
 
 }  // namespace
 
-FOOTHOLD_EXPORT_PLANNER(Crash, (foothold::PlannerInfo{.name = "crash",
-                                                      .version = "1.0.0",
-                                                      .description = "dies in mid-plan",
-                                                      .limbs = "left|right",
-                                                      .parameters = kParameters.data(),
-                                                      .parameter_count = kParameters.size()}))
+FOOTHOLD_TEST_PLANNER(Crash, "crash", kParameters)

@@ -1,7 +1,11 @@
 // What the test planners share: a body that walks along world +X in steps of 0.1 m, on nothing.
 #pragma once
 
+#include <array>
+#include <chrono>
+#include <cmath>
 #include <string>
+#include <thread>
 
 #include "foothold/export.hpp"
 
@@ -50,6 +54,13 @@ class Walker : public Planner {
     report.objective = "number of steps";
     return report;
   }
+  // Sleeps for `seconds` unless it is told to stop; looks every millisecond.
+  static void pause(const PlanContext& context, double seconds) {
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    while (Clock::now() < end && !context.stop.stop_requested())
+      std::this_thread::sleep_for(std::min<Clock::duration>(end - Clock::now(), std::chrono::milliseconds(1)));
+  }
   static PlanReport stopped() {
     PlanReport report;
     report.outcome = PlanReport::Outcome::kStopped;
@@ -58,3 +69,12 @@ class Walker : public Planner {
 };
 
 }  // namespace foothold::test
+
+// `parameters`: a constexpr std::array of ParameterSpec.
+#define FOOTHOLD_TEST_PLANNER(PlannerClass, planner_name, parameter_list)                           \
+  FOOTHOLD_EXPORT_PLANNER(PlannerClass, (foothold::PlannerInfo{.name = planner_name,                \
+                                                               .version = "1.0.0",                  \
+                                                               .description = "a test planner",     \
+                                                               .limbs = "left|right",               \
+                                                               .parameters = parameter_list.data(), \
+                                                               .parameter_count = parameter_list.size()}))

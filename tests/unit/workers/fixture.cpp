@@ -1,6 +1,8 @@
 // The recorder, which also holds Workers to its promises: nothing is told from inside a call, nothing after the end.
 #include "fixture.hpp"
 
+#include <stdexcept>
+
 namespace foothold::server::test {
 
 RobotConfig Rig::robot(const std::string& plugin, std::size_t slots, std::string name) {
@@ -29,7 +31,7 @@ msg::PlanRequest Rig::request(const std::string& robot, std::vector<std::pair<st
 void Rig::open(std::vector<RobotConfig> robots) { open(std::move(robots), WorkersConfig{}); }
 
 void Rig::open(std::vector<RobotConfig> robots, const WorkersConfig& limits) {
-  workers = std::make_unique<Workers>(loop, WorkersOptions{FOOTHOLD_WORKER, limits}, std::move(robots));
+  workers = std::make_unique<Workers>(loop, WorkersOptions{program, limits}, std::move(robots));
   inside_call_ = true;
   workers->open(*this, [this] { ++settled; });
   inside_call_ = false;
@@ -55,7 +57,7 @@ const Heard& Rig::end_of(Run run) {
 void Rig::run_until(const std::function<bool()>& condition, std::chrono::milliseconds limit) {
   const auto end = std::chrono::steady_clock::now() + limit;
   while (!condition()) {
-    ASSERT_LT(std::chrono::steady_clock::now(), end) << "what was waited for did not happen";
+    if (std::chrono::steady_clock::now() >= end) throw std::runtime_error("what was waited for did not happen");
     loop.restart();
     loop.run_one_for(std::chrono::milliseconds(50));
   }

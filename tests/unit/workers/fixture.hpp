@@ -34,7 +34,7 @@ class Rig : private RunEvents {
   Run start(const msg::PlanRequest& request, const std::optional<StoredScene>& scene = {});
   // Starts and runs the loop until it ended.
   const Heard& plan(const msg::PlanRequest& request);
-  // Runs the loop until `condition` holds; fails the test after `limit`.
+  // Runs the loop until `condition` holds; throws after `limit`.
   void run_until(const std::function<bool()>& condition, std::chrono::milliseconds limit = std::chrono::seconds(20));
   void run_for(std::chrono::milliseconds time);
   const Heard& end_of(Run run);
@@ -42,6 +42,7 @@ class Rig : private RunEvents {
   boost::asio::io_context loop;
   std::unique_ptr<Workers> workers;
   std::map<Run, Heard> heard;
+  std::string program = FOOTHOLD_WORKER;
   int settled = 0, slot_changes = 0;
 
  private:
