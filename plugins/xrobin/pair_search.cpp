@@ -1,100 +1,175 @@
-// Nearest neighbours in a uniform grid, prefixes in spatial order.
+// The search over pairs: prefix clusters against the bit maps, then clusters against clusters, then points against points.
 #include "pair_search.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
 
 namespace foothold::xrobin {
 namespace {
 
-constexpr double kCell = 5e-4;            // m
-constexpr double kFloatMargin = 2e-7;     // m: more than what single precision loses at this size
-constexpr std::size_t kLookEvery = 2048;  // prefixes between two looks at the stop token
+constexpr std::uint32_t kLookEvery = 16384;  // clusters between two looks at the stop token
 
-}  // namespace
-
-PairSearch::PairSearch(const HalfCycles& half_cycles, int n) : half_cycles_(&half_cycles), n_(n), cell_(kCell) {
-  const PoseLevel& level = half_cycles.level(n);
-  const Turns& turns = half_cycles.turns();
-  const std::size_t size = level.size();
-  std::vector<float> x(size), y(size);
-  for (std::size_t k = 0; k < size; ++k) {
-    const double c = turns.cosine(level.turn[k]);
-    const double s = turns.sine(level.turn[k]);
-    x[k] = static_cast<float>(-c * level.x[k] - s * level.y[k]);
-    y[k] = static_cast<float>(s * level.x[k] - c * level.y[k]);
-    reach_ = std::max(reach_, std::hypot(level.x[k], level.y[k]));
-  }
-  columns_ = 2 * (static_cast<int>(reach_ / cell_) + 2);
-  std::vector<std::uint32_t> cell(size);
-  begin_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(columns_) + 1, 0);
-  const auto index = [&](float v) { return static_cast<std::uint32_t>(v / cell_ + 0.5 * columns_); };
-  for (std::size_t k = 0; k < size; ++k) {
-    cell[k] = index(y[k]) * static_cast<std::uint32_t>(columns_) + index(x[k]);
-    ++begin_[cell[k] + 1];
-  }
-  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-
-  std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  suffix_x_.resize(size), suffix_y_.resize(size), suffix_id_.resize(size);
-  for (std::size_t k = 0; k < size; ++k) {
-    const std::uint32_t to = next[cell[k]]++;
-    suffix_x_[to] = x[k], suffix_y_[to] = y[k], suffix_id_[to] = static_cast<std::uint32_t>(k);
-  }
-  turn_begin_.assign(turns.size() + 1, 0);
-  for (const std::uint16_t turn : level.turn) ++turn_begin_[turn + 1u];
-  std::partial_sum(turn_begin_.begin(), turn_begin_.end(), turn_begin_.begin());
-  next.assign(turn_begin_.begin(), turn_begin_.end() - 1);
-  prefix_x_.resize(size), prefix_y_.resize(size), prefix_id_.resize(size);
-  for (const std::uint32_t k : suffix_id_) {  // already in the order of the cells
-    const std::uint32_t to = next[level.turn[k]]++;
-    prefix_x_[to] = x[k], prefix_y_[to] = y[k], prefix_id_[to] = k;
-  }
-}
-
-std::optional<Pair> PairSearch::closest(const Target& target, double bound, const std::stop_token& stop) const {
-  const PoseLevel& level = half_cycles_->level(n_);
-  const Turns& turns = half_cycles_->turns();
-  std::optional<Pair> best;
-  double radius = bound + kFloatMargin;
-  std::size_t seen = 0;
-  const auto column = [&](double v) { return std::clamp(static_cast<int>(v / cell_ + 0.5 * columns_), 0, columns_ - 1); };
-  const auto try_pair = [&](std::uint32_t prefix, std::uint32_t suffix) {
-    const double turn = turns.angle(level.turn[prefix]) - turns.angle(level.turn[suffix]);
-    if (target.heading && std::abs(wrapped(turn - *target.heading)) > target.heading_tolerance) return;
-    const PlanarPose p{level.x[prefix], level.y[prefix], turns.angle(level.turn[prefix])};
-    const PlanarPose s{level.x[suffix], level.y[suffix], turns.angle(level.turn[suffix])};
-    const PlanarPose end = p * inverse(s);
-    const double distance = std::hypot(end.x - target.x, end.y - target.y);
-    if (distance < (best ? best->distance : bound)) {
-      best = Pair{prefix, suffix, distance};
-      radius = distance + kFloatMargin;
+// One search: the target as each heading sees it, and what has been found.
+class Search {
+ public:
+  Search(const HalfCycles& half_cycles, int n, const PairIndex& index, const Target& target, double bound,
+         const std::stop_token& stop)
+      : level_(half_cycles.level(n)), turns_(half_cycles.turns()), index_(index), target_(target), stop_(stop), bound_(bound) {
+    shift_x_.resize(turns_.size());
+    shift_y_.resize(turns_.size());
+    for (std::size_t t = 0; t < turns_.size(); ++t) {
+      shift_x_[t] = static_cast<float>(turns_.cosine(t) * target.x + turns_.sine(t) * target.y);
+      shift_y_[t] = static_cast<float>(turns_.cosine(t) * target.y - turns_.sine(t) * target.x);
     }
-  };
-  for (std::size_t turn = 0; turn < turns.size(); ++turn) {
-    const double c = turns.cosine(turn);
-    const double s = turns.sine(turn);
-    const double vx = c * target.x + s * target.y;
-    const double vy = -s * target.x + c * target.y;
-    for (std::uint32_t k = turn_begin_[turn]; k < turn_begin_[turn + 1]; ++k) {
-      if (++seen % kLookEvery == 0 && stop.stop_requested()) return std::nullopt;
-      const double ux = vx + prefix_x_[k];
-      const double uy = vy + prefix_y_[k];
-      if (ux * ux + uy * uy > (reach_ + radius) * (reach_ + radius)) continue;
-      const int left = column(ux - radius), right = column(ux + radius);
-      const int bottom = column(uy - radius), top = column(uy + radius);
-      for (int row = bottom; row <= top; ++row) {
-        const std::size_t line = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-        const std::uint32_t end = begin_[line + static_cast<std::size_t>(right) + 1];
-        for (std::uint32_t q = begin_[line + static_cast<std::size_t>(left)]; q < end; ++q) {
-          const double dx = suffix_x_[q] - ux;
-          const double dy = suffix_y_[q] - uy;
-          if (dx * dx + dy * dy < radius * radius) try_pair(prefix_id_[k], suffix_id_[q]);
-        }
+    if (target.heading) allow_headings();
+    take_radius();
+  }
+
+  // Every `stride`-th prefix cluster.
+  void pass(std::size_t stride) {
+    for (std::size_t turn = 0; turn < turns_.size() && !stopped_; ++turn) {
+      if (target_.heading && !leads_to_heading_[turn]) continue;
+      vx_ = shift_x_[turn];
+      vy_ = shift_y_[turn];
+      for (std::size_t k = index_.turn_clusters[turn]; k < index_.turn_clusters[turn + 1] && !stopped_; k += stride) {
+        look();
+        const Cluster& cluster = index_.prefix_clusters[k];
+        const float ux = vx_ + cluster.x;
+        const float uy = vy_ + cluster.y;
+        if (map_ == nullptr)
+          visit_tree(k, ux, uy);
+        else if (is_near(ux, uy))
+          visit_cells(k, ux, uy);
       }
     }
   }
-  return best;
+
+  bool stopped() const { return stopped_; }
+  const std::optional<Pair>& best() const { return best_; }
+
+ private:
+  void look() {
+    if (++looks_ % kLookEvery == 0 && stop_.stop_requested()) stopped_ = true;
+  }
+
+  // Which pairs of headings end in the wanted one.
+  void allow_headings() {
+    const std::size_t n = turns_.size();
+    allowed_.assign(n * n, 0);
+    leads_to_heading_.assign(n, 0);
+    for (std::size_t p = 0; p < n; ++p)
+      for (std::size_t s = 0; s < n; ++s) {
+        if (std::abs(wrapped(turns_.angle(p) - turns_.angle(s) - *target_.heading)) > target_.heading_tolerance) continue;
+        allowed_[p * n + s] = 1;
+        leads_to_heading_[p] = 1;
+      }
+  }
+
+  // Sets what follows from the distance that still is of interest: search radius and map.
+  void take_radius() {
+    radius_ = static_cast<float>(std::min(bound_, 1e6)) + PairIndex::kMargin;
+    map_ = nullptr;
+    for (const NearMap& map : index_.near)
+      if (map.radius >= radius_ + index_.widest_prefix_cluster) {
+        map_ = &map;
+        return;
+      }
+  }
+
+  bool is_near(float x, float y) const {
+    const auto column = static_cast<std::int32_t>(x * map_->per_metre + map_->offset);
+    const auto row = static_cast<std::int32_t>(y * map_->per_metre + map_->offset);
+    if (static_cast<std::uint32_t>(column) >= map_->columns || static_cast<std::uint32_t>(row) >= map_->columns) return false;
+    const std::uint32_t bit = static_cast<std::uint32_t>(row) * map_->columns + static_cast<std::uint32_t>(column);
+    return (map_->bits[bit / 32] >> (bit % 32) & 1u) != 0;
+  }
+
+  void visit_cells(std::size_t k, float ux, float uy) {
+    const float around = radius_ + index_.prefix_clusters[k].spread;
+    const Cells& cells = index_.cells;
+    const std::uint32_t left = cells.of(ux - around), right = cells.of(ux + around);
+    const std::uint32_t bottom = cells.of(uy - around), top = cells.of(uy + around);
+    for (std::uint32_t row = bottom; row <= top; ++row) {
+      const std::size_t line = static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.columns);
+      const std::uint32_t end = index_.cell_clusters[line + right + 1];
+      for (std::uint32_t s = index_.cell_clusters[line + left]; s < end; ++s) try_clusters(k, s, ux, uy);
+    }
+  }
+
+  void visit_tree(std::size_t k, float ux, float uy) {
+    const float spread = index_.prefix_clusters[k].spread;
+    index_.suffix_tree.visit(
+        ux, uy, [&] { return stopped_ ? -1.0F : radius_ + spread; }, [&](std::uint32_t s) { try_clusters(k, s, ux, uy); });
+  }
+
+  void try_clusters(std::size_t prefix_cluster, std::size_t suffix_cluster, float ux, float uy) {
+    look();
+    const Cluster& prefix = index_.prefix_clusters[prefix_cluster];
+    const Cluster& suffix = index_.suffix_clusters[suffix_cluster];
+    const float dx = suffix.x - ux;
+    const float dy = suffix.y - uy;
+    const float most = radius_ + prefix.spread + suffix.spread;
+    if (dx * dx + dy * dy > most * most) return;
+    const Points& p = index_.prefixes;
+    const Points& q = index_.suffixes;
+    const std::uint32_t suffix_end = index_.suffix_clusters[suffix_cluster + 1].begin;
+    for (std::uint32_t k = prefix.begin; k < index_.prefix_clusters[prefix_cluster + 1].begin; ++k) {
+      const float px = vx_ + p.x[k];
+      const float py = vy_ + p.y[k];
+      for (std::uint32_t s = suffix.begin; s < suffix_end; ++s) {
+        const float ex = q.x[s] - px;
+        const float ey = q.y[s] - py;
+        if (ex * ex + ey * ey < radius_ * radius_) take(p.id[k], q.id[s]);
+      }
+    }
+  }
+
+  // Judges a pair in double precision.
+  void take(std::uint32_t prefix, std::uint32_t suffix) {
+    const std::size_t p = level_.turn[prefix];
+    const std::size_t s = level_.turn[suffix];
+    if (target_.heading && !allowed_[p * turns_.size() + s]) return;
+    const double qx = -turns_.cosine(s) * level_.x[suffix] - turns_.sine(s) * level_.y[suffix];
+    const double qy = turns_.sine(s) * level_.x[suffix] - turns_.cosine(s) * level_.y[suffix];
+    const double x = level_.x[prefix] + turns_.cosine(p) * qx - turns_.sine(p) * qy;
+    const double y = level_.y[prefix] + turns_.sine(p) * qx + turns_.cosine(p) * qy;
+    const double distance = std::hypot(x - target_.x, y - target_.y);
+    if (distance >= bound_) return;
+    best_ = Pair{prefix, suffix, distance};
+    bound_ = distance;
+    take_radius();
+  }
+
+  const PoseLevel& level_;
+  const Turns& turns_;
+  const PairIndex& index_;
+  const Target& target_;
+  const std::stop_token& stop_;
+  std::uint32_t looks_ = 0;
+  bool stopped_ = false;
+  double bound_;
+  float radius_ = 0.0F;
+  const NearMap* map_ = nullptr;  // null: the radius is beyond every map
+  float vx_ = 0.0F, vy_ = 0.0F;   // the target's shift at the heading at hand
+  std::vector<float> shift_x_, shift_y_;
+  std::vector<char> allowed_, leads_to_heading_;
+  std::optional<Pair> best_;
+};
+
+}  // namespace
+
+PairSearch::PairSearch(const HalfCycles& half_cycles, int n)
+    : half_cycles_(&half_cycles), n_(n), index_(half_cycles.level(n), half_cycles.turns()) {}
+
+std::optional<Pair> PairSearch::closest(const Target& target, double bound, const std::stop_token& stop) const {
+  // Where `bound` says little, small ones are tried first: with a heading wanted, few of the points near by are of use.
+  for (double tried = std::min(bound, 2e-3);; tried = std::min(bound, 8.0 * tried)) {
+    Search search(*half_cycles_, n_, index_, target, tried, stop);
+    // A few clusters first: the nearest of a sample makes the radius small for all the others.
+    for (const std::size_t stride : {512u, 32u, 1u}) search.pass(stride);
+    if (search.stopped()) return std::nullopt;
+    if (search.best() || tried == bound) return search.best();
+  }
 }
 
 Word PairSearch::word(const Pair& pair) const {
@@ -106,7 +181,7 @@ Word PairSearch::word(const Pair& pair) const {
 
 double PairSearch::merge_bound() const {
   // Both halves' own, and the second half turned by the headings' error of both.
-  return 2.0 * half_cycles_->merge_bound(n_) + 2.0 * half_cycles_->merge_angle(n_) * reach_;
+  return 2.0 * half_cycles_->merge_bound(n_) + 2.0 * half_cycles_->merge_angle(n_) * index_.reach;
 }
 
 }  // namespace foothold::xrobin

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include "half_cycles.hpp"
+#include "pair_index.hpp"
 
 namespace foothold::xrobin {
 
@@ -26,7 +26,7 @@ struct Pair {
   double distance = 0.0;  // m
 };
 
-// The poses of one level in the order in which the search visits them. Immutable; any thread.
+// Immutable; any thread. Keeps a pointer to the half cycles, which must not grow meanwhile.
 class PairSearch {
  public:
   PairSearch(const HalfCycles& half_cycles, int n);
@@ -36,19 +36,12 @@ class PairSearch {
   // In m: the end of no word is farther than this from the end of the pair that stands for it.
   double merge_bound() const;
   int cycles() const { return n_; }
+  const PairIndex& index() const { return index_; }
 
  private:
   const HalfCycles* half_cycles_;
   int n_;
-  double cell_;
-  double reach_ = 0.0;  // greatest |q|
-  int columns_ = 0;
-  std::vector<std::uint32_t> begin_;        // of each cell, row by row, in the suffix arrays
-  std::vector<float> suffix_x_, suffix_y_;  // q, sorted by cell
-  std::vector<std::uint32_t> suffix_id_;
-  std::vector<float> prefix_x_, prefix_y_;  // q, sorted by heading, then cell
-  std::vector<std::uint32_t> prefix_id_;
-  std::vector<std::uint32_t> turn_begin_;  // of each heading in the prefix arrays
+  PairIndex index_;
 };
 
 }  // namespace foothold::xrobin

@@ -1,9 +1,8 @@
 // Planner interface of Xrobin.
 #include "planner.hpp"
 
-#include <sstream>
-
 #include "check.hpp"
+#include "report.hpp"
 #include "request.hpp"
 
 namespace foothold::xrobin {
@@ -11,10 +10,26 @@ namespace {
 
 class OpenPlane final : public PreparedScene {};
 
-PlanReport stopped() {
-  PlanReport report;
-  report.outcome = PlanReport::Outcome::kStopped;
-  return report;
+Method method_of(const Parameters& parameters) {
+  const std::string& name = parameters.text("method");
+  if (name == "fewest") return Method::kFewest;
+  if (name == "greedy") return Method::kGreedy;
+  if (name == "brute_force") return Method::kBruteForce;
+  return Method::kOptimal;
+}
+
+Limits limits_of(const Parameters& parameters) {
+  return {static_cast<int>(parameters.integer("cycles")), static_cast<int>(parameters.integer("max_cycles")),
+          parameters.real("tolerance"), parameters.flag("early_stop")};
+}
+
+void demand_sense(Method method, const Target& goal, const Limits& limits) {
+  if (method == Method::kGreedy && goal.heading)
+    throw InvalidRequest("goal.any_orientation",
+                         "method greedy plans for a position only; set any_orientation, or take another method");
+  if (method == Method::kBruteForce && limits.cycles > kMostBruteForceCycles)
+    throw InvalidRequest("parameters.cycles",
+                         "method brute_force takes " + std::to_string(kMostBruteForceCycles) + " cycles at most");
 }
 
 }  // namespace
@@ -24,17 +39,11 @@ XrobinPlanner::XrobinPlanner(const RobotModel& model)
       ring_(mechanism_),
       bodies_(Bodies::from_model(model, mechanism_)),
       stroke_time_(model.number("piston.stroke_time", "s")),
-      half_cycles_(mechanism_) {}
-
-const PairSearch* XrobinPlanner::search(int cycles, const std::stop_token& stop) {
-  if (const auto found = searches_.find(cycles); found != searches_.end()) return &found->second;
-  if (!half_cycles_.grow(cycles, stop)) return nullptr;
-  return &searches_.try_emplace(cycles, half_cycles_, cycles).first->second;
-}
+      solver_(mechanism_) {}
 
 std::shared_ptr<const PreparedScene> XrobinPlanner::prepare(const Scene& scene, const Parameters& parameters) {
   if (!scene.path.empty()) throw InvalidScene("", "xrobin does not plan among obstacles yet");
-  search(static_cast<int>(parameters.integer("cycles")), {});
+  solver_.prepare(method_of(parameters), limits_of(parameters).cycles, static_cast<int>(parameters.integer("grid_cells")), {});
   return std::make_shared<OpenPlane>();
 }
 
@@ -44,46 +53,23 @@ Posture XrobinPlanner::start(const Request& request, const Parameters& parameter
 
 PlanReport XrobinPlanner::plan(const Request& request, const Parameters& parameters, const PreparedScene&, PlanContext& context) {
   const Stance start = read_start(mechanism_, request.start, parameters);
-  const Target goal = seen_from(start.a, read_goal(request.goal, parameters));
-  const auto cycles = static_cast<int>(parameters.integer("cycles"));
-  const double tolerance = parameters.real("tolerance");
-  const PairSearch* pairs = search(cycles, context.stop);
-  if (pairs == nullptr) return stopped();
-  std::optional<Pair> best;
-  for (double bound = 1e-3; !best && bound < 0.01; bound *= 2.0) {
-    best = pairs->closest(goal, bound, context.stop);
-    if (context.stop.stop_requested()) return stopped();
+  const Target in_world = read_goal(request.goal, parameters);
+  const Target goal = seen_from(start.a, in_world);
+  const Method method = method_of(parameters);
+  const Limits limits = limits_of(parameters);
+  demand_sense(method, goal, limits);
+  if (!solver_.prepare(method, limits.cycles, static_cast<int>(parameters.integer("grid_cells")), context.stop))
+    return stopped_report();
+  const Solution solution = solver_.solve(method, goal, limits, context.stop);
+  if (solution.stopped) return stopped_report();
+  std::size_t half = 0;
+  for (Step& step : to_steps(ring_, start, shortest_ways(start.configuration, solution.word), 0, stroke_time_)) {
+    const Vector3d at = step.after.base.translation();
+    step.cost =
+        method == Method::kFewest ? static_cast<double>(half++ / 2 + 1) : std::hypot(at.x() - in_world.x, at.y() - in_world.y);
+    if (!context.emit(std::move(step))) return stopped_report();
   }
-  PlanReport report;
-  if (!best) {
-    report.error = PlanError::kUnreachableGoal;
-    report.field = "goal.base";
-    report.message = "no word of " + std::to_string(cycles) + " cycles ends within 8 mm of the goal";
-    return report;
-  }
-  const Word word = pairs->word(*best);
-  const PlanarPose goal_in_world = start.a * PlanarPose{goal.x, goal.y, 0.0};
-  for (Step& step : to_steps(ring_, start, shortest_ways(start.configuration, word), 0, stroke_time_)) {
-    step.cost = (step.after.base.translation() - Vector3d(goal_in_world.x, goal_in_world.y, 0.0)).norm();
-    if (!context.emit(std::move(step))) return stopped();
-  }
-  const PlanarPose end = forward(mechanism_, word);
-  report.cost = std::hypot(end.x - goal.x, end.y - goal.y);
-  report.lower_bound = std::max(0.0, report.cost - pairs->merge_bound());
-  report.optimal = true;
-  report.cost_unit = "m";
-  report.objective = "least distance of body A to the goal after at most " + std::to_string(cycles) + " cycles";
-  report.figures = {{"distance_to_goal", report.cost, tolerance, "m"}};
-  report.outcome = report.cost <= tolerance ? PlanReport::Outcome::kReached : PlanReport::Outcome::kPartial;
-  if (report.outcome == PlanReport::Outcome::kPartial) {
-    report.error = PlanError::kToleranceNotMet;
-    report.field = "parameters.tolerance";
-    std::ostringstream message;
-    message << "the nearest end of " << cycles << " cycles is " << report.cost << " m away from the goal, " << tolerance
-            << " m are allowed";
-    report.message = message.str();
-  }
-  return report;
+  return report_of(method, goal, limits, mechanism_, solution);
 }
 
 StepVerdict XrobinPlanner::check(const Step& step, const Posture& before, const Parameters&, const PreparedScene&) const {

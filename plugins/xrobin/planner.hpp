@@ -1,15 +1,14 @@
 // The planner of Xrobin: requests to routes to steps.
 //
-// Parameters are in schema.hpp, the searches in pair_search.hpp; every step is judged by check.hpp.
+// Parameters are in schema.hpp, the searches in solver.hpp; every step is judged by check.hpp.
 #pragma once
 
-#include <map>
 #include <memory>
 
 #include "body.hpp"
 #include "foothold/planner.hpp"
-#include "pair_search.hpp"
 #include "route.hpp"
+#include "solver.hpp"
 
 namespace foothold::xrobin {
 
@@ -26,15 +25,11 @@ class XrobinPlanner final : public Planner {
   std::vector<Shape> shapes(const Posture& posture) const override;
 
  private:
-  // The search over `cycles` cycles, made at its first use. Null if it was stopped.
-  const PairSearch* search(int cycles, const std::stop_token& stop);
-
   Mechanism mechanism_;
   Ring ring_;
   Bodies bodies_;
-  double stroke_time_;
-  HalfCycles half_cycles_;
-  std::map<int, PairSearch> searches_;
+  double stroke_time_;  // s
+  Solver solver_;
 };
 
 }  // namespace foothold::xrobin

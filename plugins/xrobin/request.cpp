@@ -87,11 +87,4 @@ Target read_goal(const Placement& goal, const Parameters& parameters) {
   return target;
 }
 
-Target seen_from(const PlanarPose& from, const Target& goal) {
-  const PlanarPose at = inverse(from) * PlanarPose{goal.x, goal.y, 0.0};
-  Target out{at.x, at.y, std::nullopt, goal.heading_tolerance};
-  if (goal.heading) out.heading = wrapped(*goal.heading - from.heading);
-  return out;
-}
-
 }  // namespace foothold::xrobin

@@ -13,7 +13,4 @@ Stance read_start(const Mechanism& mechanism, const Placement& start, const Para
 // The goal of body A in the world. Throws InvalidRequest with the field at fault.
 Target read_goal(const Placement& goal, const Parameters& parameters);
 
-// The same goal as it is seen from body A at `from`.
-Target seen_from(const PlanarPose& from, const Target& goal);
-
 }  // namespace foothold::xrobin
