@@ -11,8 +11,8 @@ const std::vector<double>& RobotModel::numbers(std::string_view path, std::strin
   const Quantity& quantity = found->second;
   if (quantity.unit != unit) throw InvalidModel(std::string(path), "must be in " + std::string(unit) + ", is in " + quantity.unit);
   if (count != 0 && quantity.values.size() != count)
-    throw InvalidModel(std::string(path),
-                       "must hold " + std::to_string(count) + " numbers, holds " + std::to_string(quantity.values.size()));
+    throw InvalidModel(std::string(path), "must hold " + std::to_string(count) + (count == 1 ? " number" : " numbers") +
+                                              ", holds " + std::to_string(quantity.values.size()));
   return quantity.values;
 }
 

@@ -11,8 +11,10 @@ namespace {
 
 std::string bounds(const ParameterSpec& spec) {
   std::ostringstream out;
+  out.precision(15);  // enough that no bound is told as another number
   out << spec.minimum << " to " << spec.maximum;
-  if (*spec.unit != '\0') out << ' ' << spec.unit;
+  const std::string_view unit = spec.unit;
+  if (!unit.empty() && unit != "1") out << ' ' << unit;
   return out.str();
 }
 
@@ -24,10 +26,14 @@ template <class T>
 T parse_number(const ParameterSpec& spec, std::string_view text, const char* what) {
   T value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size())
+  const bool whole_text = end == text.data() + text.size();
+  // Too large or too fine for 64 bits: a number of the right kind nevertheless.
+  const bool beyond = error == std::errc::result_out_of_range && whole_text;
+  if (!beyond && (error != std::errc{} || !whole_text))
     fault(ParameterFault::Kind::kNotOfKind, spec, "must be " + std::string(what) + ", is '" + std::string(text) + "'");
-  const auto as_double = static_cast<double>(value);
-  if (!(as_double >= spec.minimum && as_double <= spec.maximum))
+  // A double does not tell every 64-bit integer from its neighbours, a long double does.
+  const auto exact = static_cast<long double>(value);
+  if (beyond || !(exact >= spec.minimum && exact <= spec.maximum))
     fault(ParameterFault::Kind::kOutOfRange, spec, "must be " + bounds(spec) + ", is " + std::string(text));
   return value;
 }

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <string_view>
 
 namespace foothold {
 namespace {
@@ -24,6 +26,9 @@ constexpr Unit kUnits[] = {{"m", "m", 1.0},         {"cm", "m", 0.01},
                            {"Nm", "Nm", 1.0},       {"1", "1", 1.0},
                            {"rad/s", "rad/s", 1.0}, {"rpm", "rad/s", 2.0 * std::numbers::pi / 60.0}};
 
+// Of a string that may end here: then it is '\0'.
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
 // Walks `model:` and collects its leaves; every fault names file, line and path.
 class ModelReader {
  public:
@@ -36,13 +41,13 @@ class ModelReader {
 
  private:
   [[noreturn]] void fail(const YAML::Node& node, const std::string& path, const std::string& reason) const {
-    throw FileError(file_, node.Mark().line + 1, "model." + path, reason);
+    throw FileError(file_, node.Mark().line + 1, path.empty() ? "model" : "model." + path, reason);
   }
 
   void walk(const YAML::Node& node, const std::string& path) {
     if (!node.IsMap()) fail(node, path, "must be a map of quantities, or {value: ..., unit: ..., source: ...}");
     if (node["value"]) {
-      quantities_.emplace(path, leaf(node, path));
+      if (!quantities_.emplace(path, leaf(node, path)).second) fail(node, path, "is given twice");
       return;
     }
     for (const auto& entry : node) {
@@ -52,8 +57,10 @@ class ModelReader {
   }
 
   Quantity leaf(const YAML::Node& node, const std::string& path) const {
+    std::set<std::string> seen;
     for (const auto& entry : node) {
       const auto key = entry.first.as<std::string>();
+      if (!seen.insert(key).second) fail(entry.first, path + "." + key, "is given twice");
       if (key != "value" && key != "unit" && key != "source" && key != "note")
         fail(entry.first, path + "." + key, "is not a part of a quantity (value, unit, source, note)");
     }
@@ -92,7 +99,7 @@ class ModelReader {
     if (!node["source"]) fail(node, path + ".source", "is missing (paper, public, derived or assumed, then why)");
     const auto source = node["source"].as<std::string>("");
     for (const char* tag : {"paper", "public", "derived", "assumed"})
-      if (source.starts_with(tag)) return source;
+      if (source.starts_with(tag) && !is_letter(source[std::string_view(tag).size()])) return source;
     fail(node["source"], path + ".source", "must begin with paper, public, derived or assumed; is '" + source + "'");
   }
 
