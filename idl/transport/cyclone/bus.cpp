@@ -3,6 +3,8 @@
 
 #include <dds/version.h>
 
+#include "../loopback_guard.hpp"
+
 namespace foothold::transport::cyclone {
 
 Entity::Entity(dds_entity_t handle, const std::string& what) : handle_(handle) {
@@ -18,11 +20,14 @@ Entity::~Entity() {
   if (handle_ > 0) dds_delete(handle_);
 }
 
-CycloneBus::CycloneBus(const BusOptions& options)
-    : domain_(options.domain, options.network_config),
-      participant_(dds_create_participant(options.domain, nullptr, nullptr),
-                   "a participant in domain " + std::to_string(options.domain) +
-                       " (more DDS programs on this host than MaxAutoParticipantIndex allows?)") {}
+CycloneBus::CycloneBus(const BusOptions& options) {
+  const LoopbackGuard guard(options.domain);
+  domain_.emplace(options.domain, options.network_config);
+  participant_ = Entity(dds_create_participant(options.domain, nullptr, nullptr),
+                        "a participant in domain " + std::to_string(options.domain) +
+                            " (more DDS programs on this host than MaxAutoParticipantIndex allows?)");
+  if (options.network_config.empty()) guard.confine();
+}
 
 const BytesTopic& CycloneBus::topic_of(Topic topic) {
   const std::lock_guard lock(mutex_);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "bytes_type.hpp"
@@ -43,7 +44,7 @@ class CycloneBus final : public Bus {
  private:
   const BytesTopic& topic_of(Topic topic);
 
-  Domain domain_;
+  std::optional<Domain> domain_;
   Entity participant_;
   std::mutex mutex_;  // of topics_
   std::array<BytesTopic, kTopicCount> topics_;

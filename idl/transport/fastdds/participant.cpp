@@ -107,11 +107,18 @@ Participant::Participant(const BusOptions& options) {
   factory.load_profiles();
   deliver_by_transport();
   const dds::DomainParticipantQos qos = options.network_config.empty() ? loopback_qos() : profile_qos(options.network_config);
+  const LoopbackGuard guard(options.domain);
   participant_ = factory.create_participant(options.domain, qos);
   if (participant_ == nullptr) {
     throw BusError("cannot make a participant of Fast DDS in domain " + std::to_string(options.domain) +
                    " (is the network configuration sound?)");
   }
+  if (options.network_config.empty()) confine(guard);
+}
+
+void Participant::confine(const LoopbackGuard& guard) try { guard.confine(); } catch (const BusError&) {
+  dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
+  throw;
 }
 
 Participant::~Participant() {

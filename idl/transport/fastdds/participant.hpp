@@ -3,6 +3,7 @@
 
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 
+#include "../loopback_guard.hpp"
 #include "foothold/transport/bus.hpp"
 
 namespace foothold::transport::fastdds {
@@ -18,6 +19,8 @@ class Participant {
   eprosima::fastdds::dds::DomainParticipant* operator->() const { return participant_; }
 
  private:
+  void confine(const LoopbackGuard& guard);
+
   eprosima::fastdds::dds::DomainParticipant* participant_;
 };
 
