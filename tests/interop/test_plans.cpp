@@ -1,6 +1,8 @@
 // 200 plans of 100 steps each at the same time, through the real server and its workers, for every vendor pair: P3, P14, P15, P17.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <atomic>
 #include <chrono>
 #include <cstdio>
