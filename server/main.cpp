@@ -1,0 +1,97 @@
+// footholdd: reads the configuration, opens the server, runs it until a signal.
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <boost/asio/io_context.hpp>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "command_line.hpp"
+#include "config/reading.hpp"
+#include "daemon.hpp"
+
+namespace foothold::server {
+namespace fs = std::filesystem;
+
+namespace {
+
+// The first of these that is there, seen from the program's own folder; else the last.
+std::string beside_program(std::initializer_list<const char*> places) {
+  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
+  std::string last;
+  for (const char* place : places) {
+    last = (folder / place).lexically_normal().string();
+    if (fs::exists(last)) break;
+  }
+  return last;
+}
+
+ServerConfig configured(const CommandLine& line) {
+  ServerConfig config = read_server_config(line.config);
+  if (!line.state_dir.empty()) config.state_dir = fs::absolute(line.state_dir).lexically_normal().string();
+  if (!line.vendor.empty()) config.dds.vendor = line.vendor;
+  if (line.domain) config.dds.domain = *line.domain;
+  if (config.plugin_dir.empty()) config.plugin_dir = beside_program({"../lib/foothold/plugins", "../plugins"});
+  if (config.worker.empty()) config.worker = beside_program({"../lib/foothold/foothold-worker", "foothold-worker"});
+  if (const char* systemd = std::getenv("STATE_DIRECTORY"); config.state_dir.empty() && systemd != nullptr)
+    config.state_dir = systemd;
+  if (config.state_dir.empty()) {
+    Faults faults;
+    faults.add(line.config, 0, "state_dir", "is missing; name a folder there or by --state-dir");
+    throw ConfigError(faults);
+  }
+  return config;
+}
+
+void open_log(const std::string& level) {
+  auto log = std::make_shared<spdlog::logger>("footholdd", std::make_shared<spdlog::sinks::stderr_sink_mt>());
+  log->set_pattern("%Y-%m-%dT%H:%M:%S.%eZ %l %v", spdlog::pattern_time_type::utc);
+  log->set_level(spdlog::level::from_str(level));
+  log->flush_on(spdlog::level::info);
+  spdlog::set_default_logger(log);
+}
+
+int serve(const CommandLine& line) {
+  const ServerConfig config = configured(line);
+  std::vector<RobotConfig> robots = read_robots(config);
+  if (line.check) {
+    std::printf("%s and %zu robots: no fault\n", line.config.c_str(), robots.size());
+    return kStopped;
+  }
+  open_log(config.log_level);
+  std::signal(SIGPIPE, SIG_IGN);
+  boost::asio::io_context loop(1);
+  Daemon daemon(loop, config, std::move(robots));
+  daemon.run();
+  return kStopped;
+}
+
+}  // namespace
+}  // namespace foothold::server
+
+int main(int count, char** words) {
+  using namespace foothold::server;
+  const CommandLine line = parse_command_line(count, words);
+  if (line.exit) return *line.exit;
+  const auto fail = [](const std::exception& error, int code) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return code;
+  };
+  try {
+    return serve(line);
+  } catch (const ConfigError& error) {
+    return fail(error, kBadConfiguration);
+  } catch (const StateError& error) {
+    return fail(error, kStateUnusable);
+  } catch (const JournalError& error) {
+    return fail(error, kStateUnusable);
+  } catch (const foothold::sqlite::Error& error) {
+    return fail(error, kStateUnusable);
+  } catch (const foothold::transport::BusError& error) {
+    return fail(error, kNetworkUnusable);
+  } catch (const std::exception& error) {
+    return fail(error, kFailed);
+  }
+}

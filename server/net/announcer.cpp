@@ -1,0 +1,50 @@
+// The server's words to everybody.
+#include "net/announcer.hpp"
+
+#include "foothold/msg/cdr.hpp"
+
+namespace foothold::server {
+
+using transport::Topic;
+
+Announcer::Announcer(transport::Bus& bus, const Id& server)
+    : server_(server),
+      server_writer_(bus.writer(Topic::kServer, "")),
+      robot_writer_(bus.writer(Topic::kRobot, "")),
+      scene_writer_(bus.writer(Topic::kSceneStatus, "")) {}
+
+void Announcer::robot(msg::RobotInfo info) {
+  info.key(msg::id_of(msg::to_hex(server_) + "/robot/" + info.name()));
+  info.server(server_);
+  Kept& kept = robots_[info.key()];
+  Bytes bytes = msg::encode(info);
+  if (kept.sent && kept.bytes == bytes) return;
+  kept = {std::move(bytes), false};
+  send(*robot_writer_, kept);
+}
+
+void Announcer::scene(msg::SceneStatus status) {
+  status.server(server_);
+  Kept& kept = scenes_[status.key()];
+  kept = {msg::encode(status), false};
+  send(*scene_writer_, kept);
+}
+
+void Announcer::beat(msg::ServerInfo info) {
+  info.key(server_);
+  info.heartbeat(++beats_);
+  server_writer_->write(msg::encode(info));  // one that is lost is made up for by the next
+  server_writer_->assert_liveliness();
+  for (auto& [key, kept] : robots_)
+    if (!kept.sent) send(*robot_writer_, kept);
+  for (auto& [key, kept] : scenes_)
+    if (!kept.sent) send(*scene_writer_, kept);
+}
+
+void Announcer::send(transport::Writer& writer, Kept& kept) {
+  kept.sent = writer.write(kept.bytes) != transport::Writer::Result::kFull;
+}
+
+bool Announcer::wait_acknowledged(double seconds) { return server_writer_->wait_acknowledged(seconds); }
+
+}  // namespace foothold::server

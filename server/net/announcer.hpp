@@ -1,0 +1,40 @@
+// What the server says of itself to everybody: its heartbeat, its robots, its scenes.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <unordered_map>
+
+#include "foothold/transport/bus.hpp"
+#include "jobs/ports.hpp"
+
+namespace foothold::server {
+
+// Thread rule: the loop.
+class Announcer {
+ public:
+  // Throws BusError.
+  Announcer(transport::Bus& bus, const Id& server);
+
+  // `info.key` and `info.server` are filled in. The same again is sent only if it differs from the last.
+  void robot(msg::RobotInfo info);
+  void scene(msg::SceneStatus status);
+  // Heartbeat; asserts this server's liveliness, too. `info.key` and the counter are filled in.
+  void beat(msg::ServerInfo info);
+  bool wait_acknowledged(double seconds);
+
+ private:
+  struct Kept {
+    Bytes bytes;
+    bool sent = false;
+  };
+
+  void send(transport::Writer& writer, Kept& kept);
+
+  Id server_;
+  std::uint64_t beats_ = 0;
+  std::unique_ptr<transport::Writer> server_writer_, robot_writer_, scene_writer_;
+  std::unordered_map<Id, Kept, msg::IdHash> robots_, scenes_;  // what could not be sent is tried again with the next beat
+};
+
+}  // namespace foothold::server

@@ -1,0 +1,86 @@
+// From the vendor's threads to the loop.
+#include "net/inbox.hpp"
+
+#include <boost/asio/post.hpp>
+
+#include "foothold/msg/cdr.hpp"
+
+namespace foothold::server {
+
+using transport::Topic;
+
+// Outlives the inbox in handlers that are posted already.
+struct Inbox::Shared {
+  std::mutex mutex;  // of all below but the counters
+  std::vector<ClientMessage> messages;
+  std::size_t octets = 0;
+  Inbox* inbox = nullptr;  // nothing when it is gone; read by the loop only
+  std::array<std::atomic<std::uint64_t>, transport::kTopicCount> unreadable{};
+  std::atomic<std::uint64_t> lost = 0;
+};
+
+Inbox::Inbox(boost::asio::io_context& loop, transport::Bus& bus, std::function<void(ClientMessage)> take,
+             std::function<void()> batch_end)
+    : shared_(std::make_shared<Shared>()), loop_(loop), take_(std::move(take)), batch_end_(std::move(batch_end)) {
+  shared_->inbox = this;
+  read<msg::PlanRequest>(bus, Topic::kRequest);
+  read<msg::CancelRequest>(bus, Topic::kCancel);
+  read<msg::StateQuery>(bus, Topic::kQuery);
+  read<msg::SceneChunk>(bus, Topic::kScene);
+}
+
+Inbox::~Inbox() {
+  readers_.clear();
+  shared_->inbox = nullptr;
+}
+
+template <class Message>
+void Inbox::read(transport::Bus& bus, Topic topic) {
+  const auto on_message = [shared = shared_, &loop = loop_, topic](std::span<const std::byte> bytes) {
+    auto message = msg::decode<Message>(bytes);
+    if (!message) {
+      ++shared->unreadable[static_cast<std::size_t>(topic)];
+      return;
+    }
+    bool first = false;
+    {
+      const std::lock_guard lock(shared->mutex);
+      if (shared->octets + bytes.size() > kMostOctets) {
+        ++shared->lost;
+        return;
+      }
+      first = shared->messages.empty();
+      shared->octets += bytes.size();
+      shared->messages.emplace_back(std::move(*message));
+    }
+    if (!first) return;  // the loop is on its way already
+    boost::asio::post(loop, [shared] {
+      if (shared->inbox != nullptr) shared->inbox->drain();
+    });
+  };
+  readers_.push_back(bus.reader(topic, "", {.on_message = on_message}));
+}
+
+void Inbox::drain() {
+  {
+    const std::lock_guard lock(shared_->mutex);
+    batch_.swap(shared_->messages);
+    shared_->octets = 0;
+  }
+  for (ClientMessage& message : batch_) take_(std::move(message));
+  batch_.clear();
+  batch_end_();
+}
+
+std::string Inbox::take_complaint() {
+  std::string complaint;
+  for (std::size_t i = 0; i < transport::kTopicCount; ++i)
+    if (const auto count = shared_->unreadable[i].exchange(0); count != 0)
+      complaint += (complaint.empty() ? "" : "; ") + std::to_string(count) + " messages on " +
+                   std::string(transport::kTopics[i].name) + " are not messages of its type";
+  if (const auto count = shared_->lost.exchange(0); count != 0)
+    complaint += (complaint.empty() ? "" : "; ") + std::to_string(count) + " messages were lost: too many wait for the loop";
+  return complaint;
+}
+
+}  // namespace foothold::server

@@ -1,0 +1,51 @@
+// What clients send: read and decoded on the vendor's threads, handed to the loop in batches, with one wake-up for a burst.
+#pragma once
+
+#include <utility>  // before Asio, whose 1.74 forgets it under C++20
+
+#include <array>
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "foothold/transport/bus.hpp"
+#include "jobs/ports.hpp"
+
+namespace foothold::server {
+
+using ClientMessage = std::variant<msg::PlanRequest, msg::CancelRequest, msg::StateQuery, msg::SceneChunk>;
+
+// Thread rule: made and destroyed on the loop's thread; `take` and `batch_end` are called there.
+class Inbox {
+ public:
+  static constexpr std::size_t kMostOctets = 256u << 20;  // that wait for the loop; what comes beyond is lost and counted
+
+  // `batch_end`: after the last message of a batch. Throws BusError.
+  Inbox(boost::asio::io_context& loop, transport::Bus& bus, std::function<void(ClientMessage)> take,
+        std::function<void()> batch_end);
+  ~Inbox();  // no callback runs after it
+
+  // A sentence for the log if, since the last call, messages came that could not be read (P9) or were lost; else empty.
+  std::string take_complaint();
+
+ private:
+  struct Shared;
+
+  template <class Message>
+  void read(transport::Bus& bus, transport::Topic topic);
+  void drain();
+
+  std::shared_ptr<Shared> shared_;
+  boost::asio::io_context& loop_;
+  std::function<void(ClientMessage)> take_;
+  std::function<void()> batch_end_;
+  std::vector<ClientMessage> batch_;
+  std::vector<std::unique_ptr<transport::Reader>> readers_;
+};
+
+}  // namespace foothold::server

@@ -1,0 +1,56 @@
+// The ways to the clients: a pair of writers (events, steps) in each client's partition, opened by its first message, closed when
+// it has been quiet for long and has nothing unfinished (idl/PROTOCOL.md P1).
+#pragma once
+
+#include <functional>
+#include <unordered_map>
+
+#include "jobs/ports.hpp"
+#include "net/channel.hpp"
+
+namespace foothold::server {
+
+// Thread rule: the loop.
+class Partitions final : public Outbox {
+ public:
+  static constexpr auto kQuiet = std::chrono::minutes(5);
+  static constexpr std::size_t kMost = 1000;  // partitions open at the same time
+
+  struct Hooks {
+    std::function<bool(const Id&)> busy;               // has this client something unfinished?
+    std::function<void()> waiting;                     // something waits since now: call retry() soon
+    std::function<void(const std::string&)> complain;  // for the log
+  };
+
+  Partitions(transport::Bus& bus, const Clock& clock, Hooks hooks);
+
+  void open(const Id& client) override;
+  void event(const Id& client, const msg::PlanEvent& event) override;
+  void step(const Id& client, const Bytes& step) override;
+
+  // Tries what waits again. True if nothing waits any more.
+  bool retry();
+  // Closes quiet partitions and tells of what was left out. Now and then.
+  void sweep();
+  // Waits until every reader has acknowledged everything, at the latest until then. Blocks.
+  bool wait_acknowledged(double seconds);
+  std::size_t size() const { return partitions_.size(); }
+
+ private:
+  struct Partition {
+    Channel events, steps;
+    Time last_used;
+  };
+
+  Partition* use(const Id& client);
+  void send(Channel& channel, std::span<const std::byte> message);
+  void tell_left_out(const Id& client, Channel& channel, const char* what);
+
+  transport::Bus& bus_;
+  const Clock& clock_;
+  Hooks hooks_;
+  std::unordered_map<Id, Partition, msg::IdHash> partitions_;
+  Bytes buffer_;
+};
+
+}  // namespace foothold::server
