@@ -84,12 +84,12 @@ std::vector<pid_t> Daemon::workers() const {
   for (const auto& entry : fs::directory_iterator("/proc")) {
     const std::string name = entry.path().filename().string();
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-    // "pid (name) state parent ...": the kernel cuts the name to 15 octets.
+    // "pid (name) state parent ...": the kernel cuts names to 15 octets, which is what this one has.
     std::istringstream stat(read_file(entry.path() / "stat"));
     std::string pid, command, state;
     pid_t parent = 0;
     stat >> pid >> command >> state >> parent;
-    if (parent == child_->pid() && command == "(foothold-worke)" && state != "Z") found.push_back(std::stoi(pid));
+    if (parent == child_->pid() && command == "(foothold-worker)" && state != "Z") found.push_back(std::stoi(pid));
   }
   std::ranges::sort(found);
   return found;
