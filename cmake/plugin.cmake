@@ -1,4 +1,6 @@
-# foothold_add_planner(name SOURCES ... [LIBRARIES ...]): a planner's shared library lib/foothold/plugins/<name>.so of this build.
+# foothold_add_planner(name SOURCES ... [LIBRARIES ...]): a planner's shared library, plugins/<name>.so of this build; target
+# planner_<name>, all of them: planners.
+add_custom_target(planners)
 function(foothold_add_planner name)
   cmake_parse_arguments(PLANNER "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_library(planner_${name} MODULE ${PLANNER_SOURCES})
@@ -7,4 +9,5 @@ function(foothold_add_planner name)
     PREFIX "" OUTPUT_NAME ${name} LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   foothold_ours(planner_${name})
+  add_dependencies(planners planner_${name})
 endfunction()
