@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
+#include "foothold/client/nearest_name.hpp"
 #include "foothold/client/plan_file.hpp"
 #include "foothold/msg/errors.hpp"
 #include "foothold/msg/fields.hpp"
 #include "foothold/msg/ids.hpp"
-#include "nearest_name.hpp"
 
 namespace foothold::client {
 

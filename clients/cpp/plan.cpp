@@ -12,6 +12,7 @@ msg::PlanRequest Plan::request() const { return state_->request(); }
 const msg::Step* Plan::next(double seconds) { return state_->next(read_, seconds); }
 std::optional<msg::PlanEvent> Plan::wait(double seconds) const { return state_->wait(seconds); }
 msg::State Plan::state() const { return state_->state(); }
+std::optional<msg::PlanEvent> Plan::last_event() const { return state_->last_event(); }
 bool Plan::ended() const { return state_->ended(); }
 bool Plan::server_lost() const { return state_->server_lost(); }
 std::size_t Plan::steps_ready() const { return state_->steps_ready(); }

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <fstream>
 
+#include "foothold/client/whole_file.hpp"
 #include "message_json.hpp"
-#include "whole_file.hpp"
 
 namespace foothold::client {
 namespace {

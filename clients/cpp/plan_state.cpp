@@ -72,6 +72,7 @@ bool PlanState::accept(const msg::PlanEvent& event, std::span<const msg::Id> ali
       if (!final_) return false;
     } else {
       server_ = event.server();
+      last_ = event;
       not_known_ = 0;
       not_known_to_.clear();
       announced_ = std::max(announced_, event.steps());
@@ -108,7 +109,7 @@ void PlanState::accept_unknown(const msg::PlanEvent& event, std::span<const msg:
     return;
   }
   if (not_known_ < kUnknownForGood && (heard_ || !unknown_to_all)) return;
-  final_ = event;
+  final_ = last_ = event;
   state_ = msg::UNKNOWN;
 }
 
@@ -149,8 +150,9 @@ PlanState::Due PlanState::due(Time now) {
     ++traffic_.requests;
     return Due::kSend;
   }
-  // What is known to be missing is asked for steadily; where nothing may be missing, ever more rarely.
-  if (!misses_steps()) patience_ = std::min(2.0 * patience_, kMostPatienceToAsk * repair_after_);
+  // What is known to be missing is asked for steadily, and so is the end of what was cancelled; where nothing may be missing, ever
+  // more rarely.
+  if (!misses_steps() && !cancel_) patience_ = std::min(2.0 * patience_, kMostPatienceToAsk * repair_after_);
   ++traffic_.queries;
   return Due::kAsk;
 }
@@ -240,6 +242,11 @@ msg::State PlanState::state() const {
   return state_;
 }
 
+std::optional<msg::PlanEvent> PlanState::last_event() const {
+  const std::lock_guard lock(mutex_);
+  return last_;
+}
+
 bool PlanState::ended() const {
   const std::lock_guard lock(mutex_);
   return has_ended();
@@ -285,6 +292,8 @@ void PlanState::cancel(const std::string& reason) {
     cancel.client(request_.client());
     cancel.reason(reason);
     cancel_ = cancel;
+    patience_ = repair_after_;
+    next_due_ = std::min(next_due_, Clock::now() + from_seconds(repair_after_));
   }
   if (const auto outgoing = outgoing_.lock()) outgoing->send(cancel);
 }

@@ -51,6 +51,7 @@ class PlanState {
   std::optional<msg::PlanEvent> wait(double seconds) const;
   msg::Id server() const;  // who has it, zeros while that is not known
   msg::State state() const;
+  std::optional<msg::PlanEvent> last_event() const;
   bool ended() const;
   bool over() const;  // ended and told
   bool server_lost() const;
@@ -80,7 +81,7 @@ class PlanState {
   std::uint32_t announced_ = 0;  // steps that the server says it has sent
   msg::Id server_{};
   msg::State state_ = msg::UNKNOWN;
-  std::optional<msg::PlanEvent> final_;
+  std::optional<msg::PlanEvent> final_, last_;
   std::vector<msg::Shape> scene_;
   bool sent_ = false, heard_ = false, lost_ = false, detached_ = false;
   std::optional<msg::CancelRequest> cancel_;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "whole_file.hpp"
+#include "foothold/client/whole_file.hpp"
 #include "yaml_field.hpp"
 
 namespace foothold::client {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "nearest_name.hpp"
+#include "foothold/client/nearest_name.hpp"
 
 namespace foothold::client {
 namespace {

@@ -85,6 +85,8 @@ class Plan {
 
   // The state as last heard; UNKNOWN before the server answered.
   msg::State state() const;
+  // What the server said last, also in answers; nothing before it answered.
+  std::optional<msg::PlanEvent> last_event() const;
   // True once the final event and every step have arrived. A plan asked for by an id that no server knows ends in state UNKNOWN.
   bool ended() const;
   // The plan's server is silent. The plan goes on by itself when it is back.

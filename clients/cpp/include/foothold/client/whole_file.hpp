@@ -1,4 +1,4 @@
-// Private: a file's octets at once.
+// A file's octets at once.
 #pragma once
 
 #include <cerrno>

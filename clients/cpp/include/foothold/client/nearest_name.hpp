@@ -1,4 +1,4 @@
-// Private: "did you mean": the known name that a misspelt one is closest to.
+// "Did you mean": the known name that a misspelt one is closest to.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
 template <std::ranges::input_range Names>
 std::string suggestion(std::string_view name, const Names& known) {
   std::string nearest, all;
-  std::size_t least = name.size() / 2 + 1;
+  std::size_t least = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string_view candidate : known) {
     all += (all.empty() ? "" : ", ") + std::string(candidate);
     const std::size_t distance = edit_distance(name, candidate);

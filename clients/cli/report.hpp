@@ -1,0 +1,23 @@
+// A plan for people: one line a step, then how it ended and how good it is.
+#pragma once
+
+#include <string>
+
+#include "foothold/client/plan_record.hpp"
+
+namespace foothold::cli {
+
+// "  3   12.4 ms  cost 0.4  base (0.100, 0.050, 0.000) m, 45 deg  A at (...)  label". `seconds`: since the request was sent;
+// below 0: not shown. With `verbose` contacts, joints, attributes and margins follow on lines of their own.
+void print_step(const msg::Step& step, double seconds, bool verbose);
+
+// The state, the times, the cost with its bound, the planner's figures, the error.
+void print_end(const msg::PlanEvent& event);
+
+// "(0.100, 0.050, 0.000) m, 45 deg": a pose that stands upright is told by its heading, any other by roll, pitch and yaw.
+std::string describe(const msg::Pose& pose);
+
+// A word as a shell takes it.
+std::string quoted(const std::string& word);
+
+}  // namespace foothold::cli
