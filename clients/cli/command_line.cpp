@@ -25,6 +25,7 @@ struct Everything {
   StateOptions state;
   ScenePutOptions scene_put;
   PluginInfoOptions plugin_info;
+  DrawOptions draw;
   std::string generate_folder, generate_shell;
   std::function<Exit()> chosen;
 };
@@ -126,6 +127,24 @@ void declare_looking(Everything& all) {
   info->add_option("plugin", all.plugin_info.file, "The plugin, a .so file")->required()->type_name("FILE");
   info->add_option("--robot", all.plugin_info.robot_file, "Also make its planner, with the model of this robot's file")
       ->type_name("FILE");
+
+  CLI::App* draw = command(all, all.app, "draw", "Draw a plan as SVG: the scene, the footholds, the robot at each stance",
+                           [&all] { return run_draw(all.common, all.draw); });
+  draw->add_option("plan", all.draw.source, "A plan as 'foothold plan -o' writes it, or a request's id")
+      ->required()
+      ->type_name("FILE");
+  draw->add_option("-o,--output", all.draw.output, "Where the picture goes")->required()->type_name("FILE");
+  draw->add_option("--view", all.draw.view, "From where: above, oblique or both")
+      ->check(CLI::IsMember({"above", "oblique", "both"}).description(""))
+      ->type_name("VIEW");
+  draw->add_option("--frame", all.draw.frame, "What fills the picture: scene or plan")
+      ->check(CLI::IsMember({"scene", "plan"}).description(""))
+      ->type_name("WHAT");
+  draw->add_option("--steps", all.draw.steps, "Only these, such as 3-7")->type_name("FIRST-LAST");
+  draw->add_option("--width", all.draw.width, "Of the picture, in pixels")->type_name("NUMBER");
+  draw->add_option("--azimuth", all.draw.azimuth, "Of the oblique view's eye, from +X towards +Y")->type_name("DEGREES");
+  draw->add_option("--elevation", all.draw.elevation, "Of that eye above the horizon")->type_name("DEGREES");
+
   command(all, all.app, "doctor", "Check what keeps DDS programs from finding each other, and say what to do",
           [&all] { return run_doctor(all.common); });
 }
@@ -151,6 +170,8 @@ OptionHelp help_of(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return help;
   help.value = option.get_type_name();
   if (help.value == "VENDOR") help.choices = {"cyclone", "fastdds"};
+  if (help.value == "VIEW") help.choices = {"above", "oblique", "both"};
+  if (help.value == "WHAT") help.choices = {"scene", "plan"};
   if (const auto more = help.value.find(':'); more != std::string::npos) help.value.resize(more);
   if (help.names.size() == 1 && option.get_positional()) help.names = {help.value};
   return help;

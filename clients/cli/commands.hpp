@@ -62,6 +62,8 @@ struct PluginInfoOptions {
 struct DrawOptions {
   std::string source;  // a plan file or a request's id
   std::string output;
+  std::string view = "both", frame = "scene", steps;
+  std::optional<double> width, azimuth, elevation;
 };
 
 // Each prints to stdout; what went wrong is thrown as a Complaint (terminal.hpp) and printed to stderr by main().
@@ -73,6 +75,7 @@ Exit run_state(const Common& common, const StateOptions& options);
 Exit run_scene_put(const Common& common, const ScenePutOptions& options);
 Exit run_scene_list(const Common& common);
 Exit run_plugin_info(const Common& common, const PluginInfoOptions& options);
+Exit run_draw(const Common& common, const DrawOptions& options);
 Exit run_doctor(const Common& common);
 
 }  // namespace foothold::cli

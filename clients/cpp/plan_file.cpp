@@ -1,11 +1,6 @@
 // Plans as JSON documents.
 #include "foothold/client/plan_file.hpp"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <fstream>
-
 #include "foothold/client/whole_file.hpp"
 #include "message_json.hpp"
 
@@ -67,14 +62,11 @@ PlanRecord plan_from_json(std::string_view text, const std::string& origin) {
 }
 
 void write_plan_file(const std::string& path, const PlanRecord& plan) {
-  const std::string beside = path + ".part";
-  std::ofstream file(beside, std::ios::binary | std::ios::trunc);
-  file << plan_to_json(plan);
-  file.close();
-  if (file && std::rename(beside.c_str(), path.c_str()) == 0) return;
-  const std::string reason = std::strerror(errno);
-  std::remove(beside.c_str());
-  throw PlanFileError(path + ": cannot be written: " + reason);
+  try {
+    write_whole_file(path, plan_to_json(plan));
+  } catch (const std::system_error& error) {
+    throw PlanFileError(path + ": cannot be written: " + error.code().message());
+  }
 }
 
 PlanRecord read_plan_file(const std::string& path) {
