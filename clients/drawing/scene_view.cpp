@@ -44,6 +44,7 @@ void draw_scene(const Canvas& canvas, const Plan& plan, std::vector<SeenFace> fa
       if (off_panel(piece, canvas.area)) continue;
       for (std::size_t i = 0; i < piece.size(); ++i) {
         const Vector3d &a = piece[i], &b = piece[(i + 1) % piece.size()];
+        if ((b - a).head<2>().norm() < 1e-3) continue;  // it points at the viewer
         double from = 0.0;
         auto hidden = canvas.occluders.hidden(a, b);
         hidden.emplace_back(1.0, 1.0);
