@@ -110,6 +110,19 @@ TEST(Crossings, PlateThroughAnUprightFaceCutsItInASegment) {
   EXPECT_NEAR((found[0].region[0] - found[0].region[1]).norm(), 0.2, 1e-5);
 }
 
+TEST(Crossings, PlateThatTouchesAnUprightFaceWithItsEdgeDoesNotCutIt) {
+  const auto wall = polygon("wall", {{0, -1, 0}, {0, 1, 0}, {0, 1, 1}, {0, -1, 1}});
+  EXPECT_TRUE(crossings_of({polygon("plate", {{0, -0.1, 0.5}, {0.2, -0.1, 0.5}, {0.2, 0.1, 0.5}, {0, 0.1, 0.5}})}, {wall}).empty());
+  EXPECT_TRUE(crossings_of({polygon("plate", {{0, 0, 0.5}, {-0.2, -0.1, 0.5}, {-0.2, 0.1, 0.5}})}, {wall}).empty());
+}
+
+// A thick body's contact is on it, but what it cuts far from there is no foothold, though it lies in the contact's plane.
+TEST(Crossings, WhatIsFarFromTheContactInItsPlaneIsFound) {
+  const auto floor = polygon("floor", {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
+  const auto shin = capsule("shin", {0, 0, 0}, {0.5, 0, 0}, 0.02);
+  EXPECT_FALSE(crossings_of({shin}, {floor}, {contact("A", pose(0, 0, 0))}).empty());
+}
+
 TEST(Crossings, SamplesAreFreeOfThemButForTheOneMadeToCross) {
   EXPECT_TRUE(crossings(checked_plan(biped(false), {})).empty());
   EXPECT_TRUE(crossings(checked_plan(hexapod(), {})).empty());

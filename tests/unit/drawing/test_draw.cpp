@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <set>
 
 #include "reading.hpp"
 #include "samples.hpp"
@@ -56,6 +55,49 @@ TEST(Draw, OfTwoBoxesTheNearerOneIsDrawnLast) {
     }
     EXPECT_GE(std::max_element(lowest.begin(), lowest.end()) - lowest.begin(), 2);
   }
+}
+
+TEST(Draw, OfTwoBodiesTheNearerOneIsDrawnLast) {
+  for (const bool swapped : {false, true}) {
+    Drawing drawing;
+    msg::Step one = step(0, pose(0, 0, 0));
+    one.shapes({sphere("low", 0, 0, 0.0, 0.1), sphere("high", 0.05, 0, 0.5, 0.2)});
+    if (swapped) std::swap(one.shapes()[0], one.shapes()[1]);
+    drawing.steps = {one};
+    DrawOptions options;
+    options.views = Views::kAbove;
+    const Picture picture(draw_svg(drawing, options));
+    const auto low = Picture::attributes(picture.part("above"), swapped ? "r1" : "r0", "d");
+    const auto high = Picture::attributes(picture.part("above"), swapped ? "r0" : "r1", "d");
+    ASSERT_EQ(low.size(), 1u);
+    ASSERT_EQ(high.size(), 1u);
+    const std::string svg = draw_svg(drawing, options);
+    EXPECT_LT(svg.find(low[0]), svg.find(high[0]));
+  }
+}
+
+TEST(Draw, CutsInsideAConcavePolygonAreNotSeen) {
+  Drawing drawing;
+  drawing.scene = {polygon("L", {{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}})};
+  drawing.steps = {step(0, pose(0, 0, 0)), step(1, pose(3, 0, 0))};
+  const Picture picture(draw_svg(drawing, {}));
+  const auto x = Picture::attributes(picture.part("above"), "wp", "cx");
+  const double scale = (std::stod(x[1]) - std::stod(x[0])) / 3.0;
+  double drawn = 0.0;
+  for (const std::string& data : Picture::attributes(picture.part("above"), "e", "d")) {
+    const auto numbers = numbers_in(data);
+    for (std::size_t i = 0; i + 3 < numbers.size(); i += 4)
+      drawn += std::hypot(numbers[i + 2] - numbers[i], numbers[i + 3] - numbers[i + 1]);
+  }
+  EXPECT_NEAR(drawn / scale, 12.0, 0.01);
+}
+
+TEST(Draw, SeenFromBelowNoGridIsBeforeTheScene) {
+  DrawOptions options;
+  options.views = Views::kOblique;
+  EXPECT_EQ(Picture::attributes(Picture(draw_svg(biped(false), options)).part("oblique"), "g", "d").size(), 1u);
+  options.elevation = -30.0;
+  EXPECT_TRUE(Picture::attributes(Picture(draw_svg(biped(false), options)).part("oblique"), "g", "d").empty());
 }
 
 TEST(Draw, WhatABeamHidesOfTheRobotIsDashed) {

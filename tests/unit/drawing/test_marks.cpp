@@ -118,6 +118,26 @@ TEST(Marks, MotionBendsTheWayOfTheBase) {
   EXPECT_EQ(Picture::attributes(picture.part("above"), "w", "d").size(), 4u);
 }
 
+TEST(Marks, WayBeginsAtTheStartOnlyWithTheFirstStep) {
+  Drawing drawing;
+  drawing.start.base({pose(-1, 0, 0)});
+  for (std::uint32_t i = 0; i < 4; ++i) drawing.steps.push_back(step(i, pose(i, 0, 0)));
+  DrawOptions options;
+  EXPECT_EQ(Picture::attributes(Picture(draw_svg(drawing, options)).part("above"), "w", "d").size(), 4u);
+  options.first_step = 1;
+  EXPECT_EQ(Picture::attributes(Picture(draw_svg(drawing, options)).part("above"), "w", "d").size(), 2u);
+}
+
+TEST(Marks, StartContactThatStillHoldsIsDrawnOnce) {
+  Drawing drawing;
+  drawing.start.contacts({contact("A", pose(0, 0, 0))});
+  msg::Step one = step(0, pose(0, 0, 0.3));
+  one.placed({contact("B", pose(0.5, 0, 0))});
+  one.stance({drawing.start.contacts()[0], one.placed()[0]});
+  drawing.steps = {one};
+  EXPECT_EQ(Picture::attributes(Picture(draw_svg(drawing, {})).part("above"), "ax", "d").size(), 2u);
+}
+
 TEST(Marks, ContactHeldFromBeforeIsDrawnWithoutANumber) {
   Drawing drawing;
   drawing.steps = {step(0, pose(0, 0, 0)), step(1, pose(1, 0, 0))};

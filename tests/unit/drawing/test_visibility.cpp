@@ -24,6 +24,12 @@ TEST(Visibility, PointBehindAFaceIsHiddenAndOneBeforeItIsNot) {
   EXPECT_FALSE(scene.hides({5, 5, 5})) << "a point on the face";
 }
 
+TEST(Visibility, PointBesideASlantedEdgeIsNotHidden) {
+  const Occluders scene({{{{0, 0, 5}, {10, 0, 5}, {0, 10, 5}}, {true, true, true}, 0, 0}});
+  EXPECT_TRUE(scene.hides({4, 4, 0}));
+  EXPECT_FALSE(scene.hides({8, 8, 0})) << "inside the triangle's bounding box only";
+}
+
 TEST(Visibility, SegmentIsHiddenWhereAFaceIsBeforeIt) {
   const Occluders scene({square(2, 4, 5.0)});
   const auto hidden = scene.hidden({0, 3, 0}, {10, 3, 0});
