@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
+#include <cstdlib>
 #include <functional>
-#include <regex>
 
 namespace foothold::drawing {
 namespace {
@@ -58,9 +59,14 @@ std::vector<std::string> Picture::attributes(const tinyxml2::XMLElement* from, c
 }
 
 std::vector<double> numbers_in(const std::string& text) {
-  static const std::regex form(R"(-?\d+(\.\d+)?)");
   std::vector<double> found;
-  for (std::sregex_iterator it(text.begin(), text.end(), form), end; it != end; ++it) found.push_back(std::stod(it->str()));
+  for (const char* at = text.c_str(); *at != '\0';) {
+    const bool begins = std::isdigit(static_cast<unsigned char>(at[0])) != 0 ||
+                        (at[0] == '-' && std::isdigit(static_cast<unsigned char>(at[1])) != 0);
+    char* end = nullptr;
+    if (begins) found.push_back(std::strtod(at, &end));
+    at = begins ? end : at + 1;
+  }
   return found;
 }
 

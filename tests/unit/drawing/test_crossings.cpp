@@ -113,6 +113,8 @@ TEST(Crossings, PlateThroughAnUprightFaceCutsItInASegment) {
 TEST(Crossings, PlateThatTouchesAnUprightFaceWithItsEdgeDoesNotCutIt) {
   const auto wall = polygon("wall", {{0, -1, 0}, {0, 1, 0}, {0, 1, 1}, {0, -1, 1}});
   EXPECT_TRUE(crossings_of({polygon("plate", {{0, -0.1, 0.5}, {0.2, -0.1, 0.5}, {0.2, 0.1, 0.5}, {0, 0.1, 0.5}})}, {wall}).empty());
+  EXPECT_TRUE(
+      crossings_of({polygon("plate", {{0, -0.1, 0.5}, {-0.2, -0.1, 0.5}, {-0.2, 0.1, 0.5}, {0, 0.1, 0.5}})}, {wall}).empty());
   EXPECT_TRUE(crossings_of({polygon("plate", {{0, 0, 0.5}, {-0.2, -0.1, 0.5}, {-0.2, 0.1, 0.5}})}, {wall}).empty());
 }
 

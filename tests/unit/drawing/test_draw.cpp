@@ -162,6 +162,17 @@ TEST(Draw, SizeIsAsAskedFor) {
   EXPECT_STREQ(picture.root()->Attribute("height"), "700");
 }
 
+TEST(Draw, LegendIsBrokenIntoLinesThatFit) {
+  DrawOptions options;
+  options.width = 420.0;
+  const Picture picture(draw_svg(biped(true), options));
+  for (const auto* text = picture.root()->FirstChildElement("text"); text != nullptr; text = text->NextSiblingElement("text")) {
+    if (text->Attribute("text-anchor") != nullptr || text->FindAttribute("class")->Value() != std::string("i")) continue;
+    EXPECT_LT(text->DoubleAttribute("x") + 5.0 * static_cast<double>(std::string(text->GetText()).size()), 420.0)
+        << text->GetText();
+  }
+}
+
 TEST(Draw, TitleSaysStateCostBoundAndProof) {
   const Picture picture(draw_svg(planar(), {}));
   const auto texts = Picture::texts(picture.root(), "text");
