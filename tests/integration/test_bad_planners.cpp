@@ -3,6 +3,7 @@
 #include <span>
 
 #include "daemon.hpp"
+#include "foothold/export.hpp"
 #include "planners.hpp"
 #include "vendor_pairs.hpp"
 #include "wire.hpp"
@@ -43,7 +44,7 @@ void expect_isolation(const VendorPair& pair, std::span<const BadPlanner> planne
 
   for (const BadPlanner& bad : planners) {
     SCOPED_TRACE(bad.robot);
-    constexpr std::uint32_t kSteps = 150;
+    constexpr std::uint32_t kSteps = 200;
     const msg::Id undisturbed = wire.submit(paced_request("good", kSteps, 0.01));
     ASSERT_TRUE(wire.wait_for_steps(undisturbed, 5));
 
@@ -83,6 +84,25 @@ TEST_P(BadPlanners, EndItsOwnRequestAndNoOther) { expect_isolation(kVendorPairs[
 
 INSTANTIATE_TEST_SUITE_P(Each, BadPlanners, testing::ValuesIn(kBadPlanners),
                          [](const auto& each) { return std::string(each.param.robot); });
+
+TEST(UnlikePlanner, BuiltForAnotherApiIsUnavailableAndSaysBothVersions) {
+  const DaemonOptions options{.domain = 11, .robots = {good_robot("good"), bad_robot("unlike_api")}};
+  Daemon daemon(options);
+  Wire wire(options.vendor, options.domain);
+  ASSERT_TRUE(wire.connect("good"));
+  ASSERT_TRUE(wire.wait_until(10.0, [&] { return wire.robot("unlike_api").has_value(); }));
+  EXPECT_EQ(wire.robot("unlike_api")->state(), msg::UNAVAILABLE);
+  const msg::Id id = wire.submit(request_for("unlike_api"));
+  const auto end = wire.final_event(id);
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->message.state(), msg::REJECTED) << describe(end->message);
+  EXPECT_EQ(end->message.error().code(), msg::ROBOT_UNAVAILABLE) << describe(end->message);
+  for (const std::string& version : {std::to_string(kApiVersion), std::to_string(2 * kApiVersion)})
+    EXPECT_NE(end->message.error().message().find("version " + version), std::string::npos) << describe(end->message);
+  const auto other = wire.final_event(wire.submit(paced_request("good", 5, 0.0)));
+  ASSERT_TRUE(other);
+  EXPECT_EQ(other->message.state(), msg::SUCCEEDED);
+}
 
 class BadPlannersOfPair : public testing::TestWithParam<VendorPair> {};
 

@@ -22,7 +22,7 @@ class Cancels : public testing::TestWithParam<VendorPair> {
       msg::PlanRequest request = like;
       request.id(msg::random_id());
       const msg::Id id = wire.submit(request);
-      EXPECT_TRUE(wire.wait_until(20.0, [&] { return !wire.events(id).empty(); })) << robot;
+      EXPECT_TRUE(wire.wait_for_steps(id, 1)) << robot;
       std::this_thread::sleep_for(5ms);  // well inside its search
       const auto asked = SteadyClock::now();
       wire.cancel(id);

@@ -13,7 +13,7 @@ namespace foothold::test {
 inline TestRobot good_robot(const std::string& name, unsigned slots = 1) { return {name, "many", slots, {}}; }
 
 // One that misbehaves as its name says.
-inline TestRobot bad_robot(const std::string& plugin) { return {plugin, plugin, 1, plugin == "memory" ? "512 MiB" : ""}; }
+inline TestRobot bad_robot(const std::string& plugin) { return {plugin, plugin, 1, plugin == "memory" ? "200 MiB" : ""}; }
 
 // `pause`: s before each step.
 inline msg::PlanRequest paced_request(const std::string& robot, std::uint32_t steps, double pause) {

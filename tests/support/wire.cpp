@@ -87,13 +87,14 @@ bool Wire::connect(const std::string& name, double seconds) {
     const std::optional<msg::RobotInfo> info = robot(name);
     return info && info->state() == msg::READY && requests_->matched() > 0 && cancels_->matched() > 0 && queries_->matched() > 0;
   };
-  bool greeted = false;
-  while (SteadyClock::now() < until) {
-    if (!greeted && open()) {
+  // A hello may be lost on a way that the server's side has not opened yet: until the answer's way is open it is repeated.
+  auto next_hello = SteadyClock::now();
+  for (auto now = next_hello; now < until; now = SteadyClock::now()) {
+    if (open() && now >= next_hello) {
       query(msg::kNoId);
-      greeted = true;
+      next_hello = now + 200ms;
     }
-    if (greeted && event_reader_->matched() > 0 && step_reader_->matched() > 0) return true;
+    if (open() && event_reader_->matched() > 0 && step_reader_->matched() > 0) return true;
     std::this_thread::sleep_for(5ms);
   }
   return false;
