@@ -125,7 +125,7 @@ std::vector<std::string> title_lines(const Drawing& drawing, const Plan& plan) {
     const msg::Summary& s = *drawing.summary;
     std::string made = "plugin " + s.plugin() + " " + s.plugin_version() + ", seed " + std::to_string(s.seed());
     if (!s.scene().empty()) made += ", scene " + s.scene() + " " + s.scene_revision().substr(0, 12);
-    for (const msg::Parameter& parameter : s.parameters()) made += ", " + parameter.name() + " = " + parameter.value();
+    for (const msg::Parameter& parameter : s.parameters()) made += ", " + parameter.name() + "=" + parameter.value();
     lines.push_back(made);
   }
   if (drawing.error.code() != msg::NO_ERROR) lines.push_back(drawing.error.name() + ": " + drawing.error.message());
