@@ -1,4 +1,5 @@
-// The bare bus of all four vendor pairs: round trip of a small message, samples per second of a step's size. bench_bus [--quick] [CLIENT SERVER]
+// The bare bus of all four vendor pairs: round trip of a small message, samples per second of a step's size. bench_bus [--quick]
+// [CLIENT SERVER]
 #include <unistd.h>
 
 #include <cstdio>

@@ -90,11 +90,9 @@ Writer::Result MemoryNetwork::Core::write(const std::shared_ptr<WriterEnd>& writ
   if (faults_[index(writer->topic)].full || writer->outstanding >= static_cast<std::size_t>(traits.history))
     return Writer::Result::kFull;
   const auto payload = std::make_shared<const std::vector<std::byte>>(message.begin(), message.end());
-  if (traits.transient_local) {
-    if (traits.keep_last_one) std::erase_if(writer->kept, [&](const Payload& kept) { return same_key(kept, payload); });
-    writer->kept.push_back(payload);
-    if (writer->kept.size() > static_cast<std::size_t>(traits.history)) writer->kept.pop_front();
-  }
+  if (traits.keep_last_one) std::erase_if(writer->kept, [&](const Payload& kept) { return same_key(kept, payload); });
+  writer->kept.push_back(payload);
+  if (writer->kept.size() > static_cast<std::size_t>(traits.history)) writer->kept.pop_front();
   writer->asserted = Clock::now();
   for (const auto& reader : readers_)
     if (match(*writer, *reader)) send(writer, reader, payload);

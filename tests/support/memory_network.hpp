@@ -21,7 +21,7 @@ using Payload = std::shared_ptr<const std::vector<std::byte>>;
 struct WriterEnd {
   transport::Topic topic;
   std::string partition;
-  std::deque<Payload> kept;     // of transient local topics, for late readers
+  std::deque<Payload> kept;     // for late readers
   std::size_t outstanding = 0;  // on the way to some reader
   Clock::time_point asserted = Clock::now();
   bool alive = true;

@@ -11,7 +11,7 @@ Qos common_qos(const TopicTraits& topic) {
   Qos qos(dds_create_qos());
   // Nothing blocks in a write; whoever writes tries again.
   dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, 0);
-  dds_qset_durability(qos.get(), topic.transient_local ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
+  dds_qset_durability(qos.get(), DDS_DURABILITY_TRANSIENT_LOCAL);
   dds_qset_history(qos.get(), topic.keep_last_one ? DDS_HISTORY_KEEP_LAST : DDS_HISTORY_KEEP_ALL, 1);
   const dds_data_representation_id_t representation = DDS_DATA_REPRESENTATION_XCDR1;
   dds_qset_data_representation(qos.get(), 1, &representation);
@@ -23,18 +23,17 @@ Qos common_qos(const TopicTraits& topic) {
 
 Qos writer_qos(const TopicTraits& topic) {
   Qos qos = common_qos(topic);
-  if (topic.transient_local) {
-    const std::int32_t depth = topic.keep_last_one ? 1 : topic.history;
-    dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, depth, DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED, depth);
-  }
+  const std::int32_t depth = topic.keep_last_one ? 1 : topic.history;
+  dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, depth, DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED, depth);
+  if (topic.lifespan > 0) dds_qset_lifespan(qos.get(), DDS_SECS(topic.lifespan));
   dds_qset_writer_data_lifecycle(qos.get(), false);
   return qos;
 }
 
 Qos reader_qos(const TopicTraits& topic) {
   Qos qos = common_qos(topic);
-  const std::int32_t instances = topic.keyed ? topic.history : 1;
-  dds_qset_resource_limits(qos.get(), topic.history, instances, topic.keep_last_one ? 1 : topic.history);
+  // The listener takes samples at once. Instances are not bounded: beyond a bound Cyclone stops receiving until one of them goes.
+  dds_qset_resource_limits(qos.get(), topic.history, DDS_LENGTH_UNLIMITED, topic.keep_last_one ? 1 : topic.history);
   return qos;
 }
 

@@ -10,6 +10,8 @@ using eprosima::fastrtps::Duration_t;
 
 const Duration_t kHeartbeat(0, 10'000'000);
 const Duration_t kPrompt(0, 1'000'000);
+// Between questions of a reader to a writer that has not found it yet; they go on until it has.
+const Duration_t kKnock(0, 20'000'000);
 const Duration_t kLivelinessLease(1, 0);
 const Duration_t kLivelinessAnnouncement(0, 300'000'000);
 
@@ -17,7 +19,7 @@ const Duration_t kLivelinessAnnouncement(0, 300'000'000);
 template <class Qos>
 void set_common(const TopicTraits& topic, Qos& qos) {
   qos.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
-  qos.durability().kind = topic.transient_local ? dds::TRANSIENT_LOCAL_DURABILITY_QOS : dds::VOLATILE_DURABILITY_QOS;
+  qos.durability().kind = dds::TRANSIENT_LOCAL_DURABILITY_QOS;
   qos.history().kind = topic.keep_last_one ? dds::KEEP_LAST_HISTORY_QOS : dds::KEEP_ALL_HISTORY_QOS;
   qos.history().depth = 1;
   auto& limits = qos.resource_limits();
@@ -39,6 +41,7 @@ void set_common(const TopicTraits& topic, Qos& qos) {
 dds::DataWriterQos writer_qos(const TopicTraits& topic) {
   dds::DataWriterQos qos;
   set_common(topic, qos);
+  if (topic.lifespan > 0) qos.lifespan().duration = Duration_t(topic.lifespan, 0);
   // Nothing blocks in a write; whoever writes tries again.
   qos.reliability().max_blocking_time = Duration_t(0, 0);
   qos.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
@@ -54,7 +57,7 @@ dds::DataReaderQos reader_qos(const TopicTraits& topic) {
   dds::DataReaderQos qos;
   set_common(topic, qos);
   auto& times = qos.reliable_reader_qos().times;
-  times.initialAcknackDelay = kPrompt;
+  times.initialAcknackDelay = kKnock;
   times.heartbeatResponseDelay = kPrompt;
   qos.type_consistency().representation.m_value = {dds::XCDR_DATA_REPRESENTATION};
   return qos;
