@@ -34,9 +34,9 @@ std::string steps_of(const Drawing& drawing, const Plan& plan) {
 }
 
 Entry frame_entry() {
-  return {"foothold: X forward, Y, Z off the surface", [](Svg& svg, double x, double y) {
+  return {"foothold: X forward, Y (short), Z off the surface", [](Svg& svg, double x, double y) {
             svg.line("ax", at(x + 4, y + 4), at(x + 20, y + 4));
-            svg.line("ay", at(x + 4, y + 4), at(x + 13, y - 4));
+            svg.line("ay", at(x + 4, y + 4), at(x + 11, y - 2));
             svg.line("az", at(x + 4, y + 4), at(x + 4, y - 9));
           }};
 }

@@ -7,8 +7,9 @@
 namespace foothold::drawing {
 namespace {
 
-constexpr double kAxis = 17.0;  // px, a frame's axis that lies in the picture
-constexpr double kRing = 7.0;   // px, radius of start and goal marks
+// px, a frame's axes that lie in the picture: told apart by length, not by colour alone
+constexpr double kAxis[3] = {18.0, 11.0, 18.0};
+constexpr double kRing = 7.0;  // px, radius of start and goal marks
 
 struct Named {
   Label label;
@@ -23,7 +24,6 @@ Vector3d lifted(const Canvas& canvas, const Isometry3d& frame) {
 
 void draw_frame(const Canvas& canvas, const Isometry3d& frame) {
   static constexpr const char* kClasses[3] = {"ax", "ay", "az"};
-  const double length = kAxis / canvas.projection.scale;
   const double lift = 1.0 / canvas.projection.scale;
   // The axis that points away from the viewer first.
   std::vector<std::pair<double, int>> order;
@@ -32,7 +32,7 @@ void draw_frame(const Canvas& canvas, const Isometry3d& frame) {
   for (const auto& [depth, axis] : order) {
     const Vector3d off(0.0, 0.0, lift);
     Vector3d tip = off;
-    tip[axis] += length;
+    tip[axis] += kAxis[axis] / canvas.projection.scale;
     draw_line(canvas, kClasses[axis], canvas.projection(frame * off), canvas.projection(frame * tip));
   }
 }

@@ -107,8 +107,13 @@ void draw_crossings(const Canvas& canvas, const std::vector<Crossing>& crossings
     }
     canvas.svg.open("g");
     canvas.svg.tooltip("after step " + std::to_string(first.step) + " " + first.body + " cuts " + first.piece);
-    if (const Region figure = unite(areas); !figure.empty()) canvas.svg.path("x", path_of(figure));
-    if (!lines.empty()) canvas.svg.path("xl", lines);
+    const std::string figure = path_of(unite(areas));
+    canvas.svg.path("halo", figure + lines);
+    if (!figure.empty()) canvas.svg.path("x", figure);
+    if (!lines.empty()) {
+      canvas.svg.path("xl", lines);
+      canvas.svg.path("xm", lines);
+    }
     canvas.svg.close("g");
   }
 }

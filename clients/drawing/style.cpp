@@ -35,7 +35,7 @@ constexpr Palette kLight{.paper = {255, 255, 255},
                          .y = {0, 138, 100},
                          .z = {0, 94, 158},
                          .way = {140, 50, 120},
-                         .crossing = {213, 0, 0},
+                         .crossing = {255, 96, 32},
                          .crossing_edge = {0, 0, 0}};
 
 constexpr Palette kDark{.paper = {20, 23, 26},
@@ -51,7 +51,7 @@ constexpr Palette kDark{.paper = {20, 23, 26},
                         .y = {40, 200, 150},
                         .z = {90, 170, 255},
                         .way = {226, 150, 210},
-                        .crossing = {255, 60, 40},
+                        .crossing = {240, 70, 20},
                         .crossing_edge = {255, 255, 255}};
 
 Colour mixed(const Colour& a, const Colour& b, double share_of_b) {
@@ -103,8 +103,11 @@ std::string colours(const Palette& p) {
   rule(".tz", fill(p.z));
   rule(".w", stroke(p.way));
   rule(".wp", fill(p.way));
-  rule(".x", fill(p.crossing) + ";" + stroke(p.crossing_edge));
-  rule(".xl", stroke(p.crossing));
+  rule(".x", stroke(p.crossing_edge));
+  rule(".xf", fill(p.crossing));
+  rule(".xh", stroke(p.crossing_edge));
+  rule(".xl", stroke(p.crossing_edge));
+  rule(".xm", stroke(p.crossing));
   rule(".S,.G", stroke(p.ink) + ";" + fill(p.paper));
   rule(".k", fill(p.paper) + ";" + stroke(p.ink));
   rule(".kl", stroke(p.quiet));
@@ -125,12 +128,18 @@ std::string style_sheet() {
       ".r0,.r1,.r2,.r3{stroke-width:.9}.h{fill:none;stroke-dasharray:4 3;stroke-width:1}.sk{fill:none;stroke-width:2.5}\n"
       ".ax,.ay,.az{fill:none;stroke-width:2}.d{stroke-dasharray:2.5 2.5;stroke-linecap:butt;stroke-width:1.4}\n"
       ".w{fill:none;stroke-width:1.8}.w.d{stroke-dasharray:5 4}\n"
-      ".x{fill-opacity:.85;stroke-width:1.6}.xl{fill:none;stroke-width:3.5}.S,.G{stroke-width:1.6}.G{fill-opacity:.0}.S{fill-"
+      ".x{fill:url(#cut);stroke-width:1.8}.xh{fill:none;stroke-width:1.6}.xl{fill:none;stroke-width:6}.xm{fill:none;stroke-width:4;"
+      "stroke-dasharray:4 4;stroke-linecap:butt}.S,.G{stroke-width:1.6}.G{"
+      "fill-opacity:.0}.S{fill-"
       "opacity:.0}\n"
       ".k{stroke-width:.8;fill-opacity:.8}.k.d{stroke-dasharray:2.5 2;stroke-width:.8}.kl{stroke-width:.6}.o{font-size:9px}\n"
       ".halo{fill:none;stroke-width:4;stroke-opacity:.7}\n";
   css += colours(kLight);
-  css += "@media screen and (prefers-color-scheme:dark){\n" + colours(kDark) + "}\n</style>\n";
+  // Striped, so that it stands out in grey too.
+  const std::string stripes =
+      "<pattern id='cut' width='6' height='6' patternUnits='userSpaceOnUse' patternTransform='rotate(45)'>"
+      "<rect class='xf' width='6' height='6'/><path class='xh' d='M0 0V6'/></pattern>\n";
+  css += "@media screen and (prefers-color-scheme:dark){\n" + colours(kDark) + "}\n</style>\n" + stripes;
   return css;
 }
 

@@ -19,6 +19,7 @@ void walk(const tinyxml2::XMLElement* from, const std::function<void(const tinyx
 bool has_class(const tinyxml2::XMLElement* element, const std::string& wanted) {
   const char* classes = element->Attribute("class");
   if (classes == nullptr) return false;
+  if (wanted.empty()) return true;
   const std::string padded = " " + std::string(classes) + " ";
   return padded.find(" " + wanted + " ") != std::string::npos;
 }

@@ -16,7 +16,8 @@ class Picture {
   const tinyxml2::XMLElement* part(const std::string& id) const;
   // All text of the elements of this tag below `from`, in order.
   static std::vector<std::string> texts(const tinyxml2::XMLElement* from, const std::string& tag);
-  // The attribute of every element with this class below `from`, in order. A class matches as a whole word.
+  // The attribute of every element with this class below `from`, in order. A class matches as a whole word; an empty
+  // one matches every element that has any.
   static std::vector<std::string> attributes(const tinyxml2::XMLElement* from, const std::string& name_of_class,
                                              const char* attribute);
   const tinyxml2::XMLElement* root() const { return document_.RootElement(); }

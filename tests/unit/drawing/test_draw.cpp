@@ -27,6 +27,25 @@ TEST(Draw, SameInputSameBytes) {
   EXPECT_EQ(draw_svg(biped(true), {}), draw_svg(biped(true), {}));
 }
 
+TEST(Draw, EveryClassHasARule) {
+  const std::set<std::string> without = {"stance", "label"};  // for scripts and tests only
+  Drawing bare = hexapod();
+  for (msg::Step& one : bare.steps) one.shapes().clear();
+  for (const Drawing& drawing : {planar(), biped(true), tower(), hexapod(), bare}) {
+    const Picture picture(draw_svg(drawing, {}));
+    const std::string rules = Picture::texts(picture.root(), "style").at(0);
+    for (const std::string& classes : Picture::attributes(picture.root(), "", "class")) {
+      std::istringstream words(classes);
+      for (std::string word; words >> word;) {
+        const std::string selector = "." + word;
+        const bool ruled =
+            std::ranges::any_of(std::string("{,. "), [&](char next) { return rules.find(selector + next) != std::string::npos; });
+        EXPECT_TRUE(ruled || without.contains(word)) << word;
+      }
+    }
+  }
+}
+
 TEST(Draw, NoNumberIsAnythingButFinite) {
   for (const Drawing& drawing : {planar(), biped(true), hexapod()}) {
     const std::string svg = draw_svg(drawing, {});
