@@ -14,6 +14,8 @@ namespace {
 
 // A planner's scenes can be large (grids, trees); a fleet works in few of them at a time.
 constexpr std::size_t kScenesKept = 8;
+// More than malloc keeps to itself when it is given back.
+constexpr std::size_t kBallast = 4u << 20;
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -47,12 +49,15 @@ struct Planning::Attempt {
   const char* where = "prepare()";  // what the plugin is in
   std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
   double prepared = 0.0;
-  std::uint32_t steps = 0;
-  std::optional<msg::Error> refusal;  // of a step: the cause of whatever plan() did afterwards
+  SentSteps sent;
 };
 
 Planning::Planning(std::string robot, const PluginDescriptor& plugin, const RobotModel& model)
-    : robot_(std::move(robot)), plugin_(plugin), planner_(plugin.create(model), plugin.destroy), scenes_(kScenesKept) {
+    : robot_(std::move(robot)),
+      plugin_(plugin),
+      planner_(plugin.create(model), plugin.destroy),
+      scenes_(kScenesKept),
+      ballast_(std::make_unique_for_overwrite<char[]>(kBallast)) {
   if (!planner_) throw std::runtime_error("it made no planner");
 }
 
@@ -89,22 +94,14 @@ frame::Report Planning::try_plan(std::uint64_t run, const frame::Plan& plan, con
   const Request request = to_request(message, plan.budget_left() - attempt.prepared);
   Posture start = planner_->start(request, parameters.values, *scene);
   attempt.where = "plan()";
-  Stepper stepper(*planner_, RunFacts{run, message, parameters.values, *scene}, std::move(start), channel, stop);
-  struct KeepAtExit {
-    const Stepper& stepper;
-    Attempt& attempt;
-    ~KeepAtExit() {
-      attempt.steps = stepper.steps();
-      attempt.refusal = stepper.refusal();
-    }
-  } const keep{stepper, attempt};
+  Stepper stepper(*planner_, RunFacts{run, message, parameters.values, *scene}, std::move(start), channel, stop, attempt.sent);
   const PlanReport report = planner_->plan(request, parameters.values, *scene, stepper);
   return to_report(report, stop.stop_requested());
 }
 
 void Planning::fill(msg::Summary& summary, const frame::Plan& plan, const ParsedParameters& parameters,
                     const Attempt& attempt) const {
-  summary.steps(attempt.steps);
+  summary.steps(attempt.sent.count);
   summary.prepared(attempt.prepared);
   summary.planned(seconds_since(attempt.begin) - attempt.prepared);
   summary.plugin(plugin_.info.name);
@@ -132,13 +129,18 @@ frame::Report Planning::run(std::uint64_t run, const frame::Plan& plan, std::sto
   } catch (const InvalidScene& fault) {
     report = failed(msg::make_error(msg::INVALID_SCENE, fault.what(), fault.field()));
   } catch (const std::bad_alloc&) {
+    ballast_.reset();
     report = failed(msg::make_error(msg::OUT_OF_MEMORY, std::string("no memory left in ") + attempt.where));
   } catch (const std::exception& fault) {
     report = failed(msg::make_error(msg::PLUGIN_THREW, std::string(attempt.where) + " threw: " + fault.what()));
   } catch (...) {
     report = failed(msg::make_error(msg::PLUGIN_THREW, std::string(attempt.where) + " threw something that is no std::exception"));
   }
-  if (attempt.refusal) report = failed(*attempt.refusal);
+  // A step that was refused is the cause of whatever plan() did afterwards.
+  if (attempt.sent.refusal) {
+    if (attempt.sent.refusal->code() == msg::OUT_OF_MEMORY) ballast_.reset();
+    report = failed(*attempt.sent.refusal);
+  }
   report.leave(report.reason().code() == msg::OUT_OF_MEMORY);
   fill(report.summary(), plan, parameters, attempt);
   return report;

@@ -32,6 +32,8 @@ class Planning {
   const PluginDescriptor& plugin_;
   std::unique_ptr<Planner, void (*)(Planner*)> planner_;
   SceneCache scenes_;
+  // Given back when memory has run out, so that there is some left to say so.
+  std::unique_ptr<char[]> ballast_;
 };
 
 }  // namespace foothold::server

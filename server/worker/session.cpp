@@ -100,9 +100,12 @@ int serve(int socket) {
     return converse(session);
   } catch (const ChannelClosed&) {
     return 0;
-  } catch (const std::exception& fault) {
+  } catch (const FrameFault& fault) {
     std::fprintf(stderr, "foothold-worker: the daemon sent %s\n", fault.what());
     return 2;
+  } catch (const std::exception& fault) {
+    std::fprintf(stderr, "foothold-worker: %s\n", fault.what());
+    return 3;
   }
 }
 

@@ -9,14 +9,15 @@
 
 namespace foothold::server {
 
-Stepper::Stepper(Planner& planner, const RunFacts& facts, Posture start, Channel& channel, std::stop_token stop_token)
-    : planner_(planner), facts_(facts), before_(std::move(start)), channel_(channel) {
+Stepper::Stepper(Planner& planner, const RunFacts& facts, Posture start, Channel& channel, std::stop_token stop_token,
+                 SentSteps& sent)
+    : planner_(planner), facts_(facts), before_(std::move(start)), channel_(channel), sent_(sent) {
   stop = std::move(stop_token);
   random.seed(facts.request.seed());
 }
 
 bool Stepper::refuse(std::uint16_t code, std::string message) {
-  refusal_ = msg::make_error(code, "step " + std::to_string(steps_) + ": " + std::move(message));
+  sent_.refusal = msg::make_error(code, "step " + std::to_string(sent_.count) + ": " + std::move(message));
   return false;
 }
 
@@ -35,14 +36,14 @@ bool Stepper::judge(const Step& step, StepVerdict& verdict) {
 }
 
 bool Stepper::emit(Step step) {
-  if (refusal_ || stop.stop_requested()) return false;
+  if (sent_.refusal || stop.stop_requested()) return false;
   const char* asked = "check()";
   try {
     StepVerdict verdict;
     if (!judge(step, verdict)) return false;
     msg::Step message = to_message(step);
     message.request(facts_.request.id());
-    message.index(steps_);
+    message.index(sent_.count);
     message.margins(to_message(verdict.margins));
     if (facts_.request.shapes()) {
       asked = "shapes()";
@@ -62,7 +63,7 @@ bool Stepper::emit(Step step) {
     return refuse(msg::PLUGIN_THREW, std::string(asked) + " threw something that is no std::exception");
   }
   before_ = std::move(step.after);
-  ++steps_;
+  ++sent_.count;
   return true;
 }
 

@@ -10,6 +10,12 @@
 
 namespace foothold::server {
 
+// What became of a run's steps. Outlives the run's exceptions.
+struct SentSteps {
+  std::uint32_t count = 0;
+  std::optional<msg::Error> refusal;  // why the run has to end, whatever plan() says
+};
+
 // What a run is about. References live as long as the run.
 struct RunFacts {
   std::uint64_t run;
@@ -21,12 +27,9 @@ struct RunFacts {
 // Thread rule: the thread of plan() only.
 class Stepper final : public PlanContext {
  public:
-  Stepper(Planner& planner, const RunFacts& facts, Posture start, Channel& channel, std::stop_token stop_token);
+  Stepper(Planner& planner, const RunFacts& facts, Posture start, Channel& channel, std::stop_token stop_token, SentSteps& sent);
 
   bool emit(Step step) override;
-
-  std::uint32_t steps() const { return steps_; }                         // sent so far
-  const std::optional<msg::Error>& refusal() const { return refusal_; }  // why the run has to end, whatever plan() says
 
  private:
   bool refuse(std::uint16_t code, std::string message);
@@ -36,8 +39,7 @@ class Stepper final : public PlanContext {
   RunFacts facts_;
   Posture before_;
   Channel& channel_;
-  std::uint32_t steps_ = 0;
-  std::optional<msg::Error> refusal_;
+  SentSteps& sent_;
 };
 
 }  // namespace foothold::server

@@ -150,7 +150,11 @@ void Pool::reload() {
 void Pool::close() {
   closed_ = true;
   timer_.cancel();
-  for (Member& member : members_) retire(member);
+  for (Member& member : members_) {
+    if (member.worker->phase() == Worker::Phase::kBusy)
+      member.worker->kill(msg::make_error(msg::WORKER_KILLED, "the server stops"), false);
+    retire(member);
+  }
 }
 
 void Pool::check_memory() {

@@ -35,7 +35,7 @@ class Pool final : public WorkerOwner {
   // Newer workers from the file on disk. The ones of before go on until the newer are ready, finish their runs, and stay if the
   // newer are refused.
   void reload();
-  // Nothing is started any more; idle workers leave.
+  // Nothing is started any more; idle workers leave, busy ones are killed.
   void close();
   bool empty() const { return members_.empty(); }
   void check_memory();

@@ -37,8 +37,8 @@ class Workers final : public Planners, private PoolListener {
   // Loads a robot's plugin again from its file, in new workers. Runs go on; if the newer plugin is refused the older stays.
   // False if there is no such robot.
   bool reload(const std::string& robot);
-  // For the end of the server: idle workers leave, none is started. Runs have to be ended by their owner. `gone`: all have left; a
-  // worker that does not leave is killed after a second.
+  // For the end of the server: idle workers leave, and are killed if they have not after a second; what still runs is killed at
+  // once. None is started. `gone`: all have left.
   void close(std::function<void()> gone);
 
   RobotStatus status(const std::string& robot) const override;

@@ -33,7 +33,10 @@ class PreparedScene {
   virtual std::vector<Shape> shapes() const { return {}; }
 };
 
-// How good a plan is. The worker adds times, seed and versions.
+// How good a plan is. The worker adds times, seed and versions. A report that contradicts itself is not passed on; its request
+// ends FAILED / WORKER_PROTOCOL: a cost, bound or figure that is not finite; kReached with an error, or with a lower bound above
+// the cost; kPartial or kFailed without an error; kStopped when nobody asked for it; `optimal` without a plan, or with a cost that
+// differs from the lower bound by more than rounding.
 struct PlanReport {
   enum class Outcome : std::uint32_t { kReached, kPartial, kFailed, kStopped };
   Outcome outcome = Outcome::kFailed;
@@ -61,6 +64,8 @@ class PlanContext {
   std::mt19937_64 random;
   // Hands over the next step. The host judges it with check() and sends it at once. Returns false when nothing more is wanted
   // (step refused, plan stopped): plan() then returns kStopped. Call it from the thread that runs plan() only.
+  // Refused without asking check(): numbers that are not finite, poses that are no rotation. Refused although check() accepts: a
+  // margin below its least, more than 16 MiB.
   virtual bool emit(Step step) = 0;
 };
 

@@ -31,6 +31,18 @@ TEST(Cdr, DecodeGivesBackWhatWasEncoded) {
   EXPECT_TRUE(*back == step);
 }
 
+// Steps are compared octet for octet after a restart (P22): padding must not hold what the buffer held before.
+TEST(Cdr, ABufferThatWasUsedBeforeGivesTheSameOctets) {
+  const Step step = sample_step();
+  Bytes used(100000, std::byte{0xa5});
+  encode_into(step, used);
+  EXPECT_EQ(used, encode(step));
+  Bytes with_prefix(100000, std::byte{0xa5});
+  encode_into(step, with_prefix, 16);
+  EXPECT_EQ(with_prefix[15], std::byte{0xa5});
+  EXPECT_EQ(Bytes(with_prefix.begin() + 16, with_prefix.end()), encode(step));
+}
+
 TEST(Cdr, EveryTruncationIsRefused) {
   const Bytes bytes = encode(sample_step());
   for (std::size_t size = 0; size + 4 < bytes.size(); ++size)

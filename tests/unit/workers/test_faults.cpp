@@ -134,13 +134,16 @@ TEST(Faults, MemoryThatRunsOutEndsTheRunAndTheWorkerIsReplaced) {
   RobotConfig robot = Rig::robot("memory");
   robot.memory_limit = 512u << 20;
   Beside beside(robot);
-  const auto before = beside.rig.workers->pids("memory");
-  const Heard& heard = beside.plan(Rig::request("memory"));
-  EXPECT_EQ(heard.ends[0].kind, RunEnd::Kind::kLost);
-  EXPECT_EQ(heard.ends[0].error.code(), msg::OUT_OF_MEMORY) << heard.ends[0].error.message();
-  EXPECT_EQ(heard.steps.size(), 1u);
-  beside.rig.run_until([&] { return beside.rig.workers->has_idle("memory"); });
-  EXPECT_NE(beside.rig.workers->pids("memory"), before);
+  for (const char* in : {"pieces", "crumbs"}) {
+    beside.rig.run_until([&] { return beside.rig.workers->has_idle("memory"); });
+    const auto before = beside.rig.workers->pids("memory");
+    const Heard& heard = beside.plan(Rig::request("memory", {{"in", in}}));
+    EXPECT_EQ(heard.ends[0].kind, RunEnd::Kind::kLost);
+    EXPECT_EQ(heard.ends[0].error.code(), msg::OUT_OF_MEMORY) << in << ": " << heard.ends[0].error.message();
+    EXPECT_EQ(heard.steps.size(), 1u);
+    beside.rig.run_until([&] { return beside.rig.workers->has_idle("memory"); });
+    EXPECT_NE(beside.rig.workers->pids("memory"), before);
+  }
 }
 
 TEST(Faults, ExceptionsEndTheRunWithTheirWordsAndWhereTheyCameFrom) {

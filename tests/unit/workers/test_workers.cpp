@@ -203,5 +203,16 @@ TEST(Workers, ClosingLetsEveryWorkerLeave) {
   EXPECT_TRUE(rig.workers->pids("many").empty());
 }
 
+TEST(Workers, ClosingWaitsForNoRun) {
+  Rig rig;
+  rig.open({Rig::robot("hang")});
+  const auto run = rig.start(Rig::request("hang"));
+  rig.run_until([&] { return rig.heard[run].steps.size() == 1; });
+  bool gone = false;
+  rig.workers->close([&] { gone = true; });
+  rig.run_until([&] { return gone; });
+  EXPECT_EQ(rig.heard[run].ends.at(0).error.code(), msg::WORKER_KILLED);
+}
+
 }  // namespace
 }  // namespace foothold::server::test

@@ -20,6 +20,8 @@ using Bytes = std::vector<std::byte>;
 // afterwards. Thread rule: none, works on its arguments only.
 template <class Message>
 void encode_into(const Message& message, Bytes& out, std::size_t prefix = 0) {
+  // Alignment leaves octets unwritten: they must be the same in each encoding, not what the buffer held before.
+  out.resize(prefix);
   // Encapsulation plus the payload; alignment is counted from behind the encapsulation.
   out.resize(prefix + 4 + Message::getCdrSerializedSize(message));
   eprosima::fastcdr::FastBuffer buffer(reinterpret_cast<char*>(out.data()) + prefix, out.size() - prefix);
