@@ -82,6 +82,46 @@ std::optional<BestWord> best_of_all_words(const Mechanism& mechanism, int cycles
   return BestWord{to_word(best_codes), std::sqrt(best)};
 }
 
+std::optional<BestWord> best_of_all_walkable_words(const Mechanism& mechanism, Passage& passage, const Stance& start, int cycles,
+                                                   const Target& goal, const std::stop_token& stop) {
+  demand_few(cycles);
+  struct Walker {
+    const Mechanism& mechanism;
+    Passage& passage;
+    const Target& goal;
+    const std::stop_token& stop;
+    Word word;
+    BestWord best{{}, std::numeric_limits<double>::infinity()};
+
+    void walk(const PlanarPose& a, int configuration, int left) {
+      if (stop.stop_requested()) return;
+      if (left == 0) {
+        const double away = std::hypot(a.x - goal.x, a.y - goal.y);
+        if (away >= best.distance) return;
+        if (goal.heading && std::abs(wrapped(a.heading - *goal.heading)) > goal.heading_tolerance) return;
+        best = {word, away};
+        return;
+      }
+      const ConfigurationSet firsts = passage.reachable(true, a, set_of(configuration));
+      for (int first = 1; first <= kConfigurations; ++first) {
+        if (!holds(firsts, first)) continue;
+        const PlanarPose b = a * mechanism.b_in_a(first);
+        const ConfigurationSet seconds = passage.reachable(false, b, set_of(first));
+        for (int second = 1; second <= kConfigurations; ++second) {
+          if (!holds(seconds, second)) continue;
+          word.push_back(static_cast<std::uint8_t>(first));
+          word.push_back(static_cast<std::uint8_t>(second));
+          walk(b * inverse(mechanism.b_in_a(second)), second, left - 1);
+          word.resize(word.size() - 2);
+        }
+      }
+    }
+  } walker{mechanism, passage, goal, stop, {}};
+  walker.walk(start.a, start.configuration, cycles);
+  if (stop.stop_requested() || std::isinf(walker.best.distance)) return std::nullopt;
+  return walker.best;
+}
+
 std::vector<PlanarPose> ends_of_all_words(const Mechanism& mechanism, int cycles) {
   demand_few(cycles);
   std::vector<PlanarPose> ends;

@@ -2,69 +2,23 @@
 #include "check.hpp"
 
 #include <algorithm>
-#include <optional>
-#include <sstream>
+
+#include "chain.hpp"
+#include "check_clear.hpp"
 
 namespace foothold::xrobin {
 namespace {
 
-constexpr double kLengthTolerance = 1e-7;  // m: residuals of the closed chain
-constexpr double kAngleTolerance = 1e-7;   // rad
-constexpr double kLeastRegularity = 1e-3;  // of det J, scaled by b p: 0 is singular
-constexpr double kLongestLeap = 0.02;      // m: between two motion points; more could hide a change of branch
-
-using Eigen::Vector2d;
-
-// Body B in body A's frame, measured, not commanded.
-struct Relative {
-  Vector2d position;
-  double turn;
-};
-
-struct Refusal {
-  std::string reason;
-};
-
-template <class... Parts>
-[[noreturn]] void refuse(const Parts&... parts) {
-  std::ostringstream out;
-  out.precision(9);
-  (out << ... << parts);
-  throw Refusal{out.str()};
-}
-
-// A contact's +X is its body's y axis, so the body's x axis is the contact's -Y.
-Isometry3d body(const Isometry3d& contact) {
-  Isometry3d out = contact;
-  out.linear().col(0) = -contact.linear().col(1);
-  out.linear().col(1) = contact.linear().col(0);
-  return out;
-}
-
-const Contact& limb(const Posture& posture, const char* name) {
-  const auto found = std::find_if(posture.stance.begin(), posture.stance.end(), [&](const Contact& c) { return c.limb == name; });
-  if (found == posture.stance.end()) refuse("body ", name, " is not among the contacts");
-  return *found;
-}
+constexpr double kLengthTolerance = 1e-7;     // m: residuals of the closed chain
+constexpr double kAngleTolerance = 1e-7;      // rad
+constexpr double kLeastRegularity = 1e-3;     // of det J, scaled by b p: 0 is singular
+constexpr double kClearanceTolerance = 1e-7;  // m: rounding of poses
+constexpr double kLongestLeap = 0.02;         // m: between two motion points; more could hide a change of branch
 
 double apart(const Isometry3d& a, const Isometry3d& b) { return (a.translation() - b.translation()).norm(); }
 
 bool same(const Isometry3d& a, const Isometry3d& b) {
   return apart(a, b) <= kLengthTolerance && (a.linear() - b.linear()).norm() <= kAngleTolerance;
-}
-
-Relative relative(const Isometry3d& a, const Isometry3d& b) {
-  const Isometry3d r = a.inverse(Eigen::Isometry) * b;
-  if (std::abs(r.translation().z()) > kLengthTolerance || std::abs(r(2, 2) - 1.0) > kAngleTolerance)
-    refuse("the bodies do not lie in one plane");
-  return {r.translation().head<2>(), std::atan2(r(1, 0), r(0, 0))};
-}
-
-Pistons measured(const Lengths& n, const Relative& b) {
-  const Vector2d axis(std::cos(b.turn), std::sin(b.turn));
-  const Vector2d left_pin = b.position - n.p * axis;
-  const Vector2d right_pin = b.position + n.p * axis;
-  return {(right_pin - Vector2d(-n.b, 0.0)).norm(), (left_pin - Vector2d(n.b, 0.0)).norm()};
 }
 
 // B in the slot, pistons as long as said. `what` names the posture.
@@ -81,24 +35,6 @@ void demand_closed(const Lengths& n, const Relative& b, const std::vector<double
 double regularity(const Lengths& n, const Relative& b) {
   const double s = std::sin(b.turn);
   return (b.position.y() * b.position.y() * std::cos(b.turn) + n.b * n.p * s * s) / (n.b * n.p);
-}
-
-// The posture near `guess` with these piston lengths, by Newton's method: the branch is that of `guess`.
-Relative follow(const Lengths& n, Relative guess, double l, double r) {
-  for (int round = 0; round < 20; ++round) {
-    const double y = guess.position.y();
-    const double c = std::cos(guess.turn);
-    const double s = std::sin(guess.turn);
-    const Pistons now = measured(n, guess);
-    const Vector2d f(now.l * now.l - l * l, now.r * now.r - r * r);
-    if (f.cwiseAbs().maxCoeff() < 1e-16) return guess;
-    Eigen::Matrix2d jacobian;
-    jacobian << 2.0 * n.p * (y * c - n.b * s), 2.0 * (y + n.p * s), -2.0 * n.p * (y * c + n.b * s), 2.0 * (y - n.p * s);
-    const Vector2d d = jacobian.fullPivLu().solve(f);
-    guess.turn -= d[0];
-    guess.position.y() -= d[1];
-  }
-  return guess;
 }
 
 bool at_end(double length, const Lengths& n) {
@@ -173,6 +109,22 @@ StepVerdict check_step(const Lengths& lengths, const Step& step, const Posture& 
   } catch (const Refusal& refusal) {
     return {false, refusal.reason, {}};
   }
+}
+
+StepVerdict check_step_among(const Lengths& lengths, const Bodies& bodies, const std::vector<geometry::Obstacle>& obstacles,
+                             double clearance, const Step& step, const Posture& before) {
+  StepVerdict verdict = check_step(lengths, step, before);
+  if (!verdict.accepted || obstacles.empty()) return verdict;
+  const Clearance is = least_clearance(lengths, bodies, obstacles, step, before);
+  if (is.obstacle.empty()) return verdict;
+  const double least = clearance - kClearanceTolerance;
+  if (!(is.least >= least && is.least > 0.0)) {
+    std::ostringstream reason;
+    reason << "comes within " << is.least << " m of obstacle '" << is.obstacle << "', " << clearance << " m must be kept";
+    return {false, reason.str(), {}};
+  }
+  verdict.margins.push_back({"clearance", is.least, least, "m"});
+  return verdict;
 }
 
 }  // namespace foothold::xrobin

@@ -31,7 +31,7 @@ std::vector<DensityGrid> density_grids(const std::vector<Module>& modules, int m
       if (cell >= 0) grid.words_[static_cast<std::size_t>(cell)] += words;
     };
     if (n == 1) {
-      for (const Module& m : modules) add(m.end.x, m.end.y, m.words);
+      for (const Module& m : modules) add(m.end.x, m.end.y, static_cast<double>(m.pairs.size()));
     } else {
       const DensityGrid& rest = grids.back();
       for (const Module& m : modules)
@@ -42,7 +42,8 @@ std::vector<DensityGrid> density_grids(const std::vector<Module>& modules, int m
             if (words == 0.0) continue;
             const double x = rest.centre(column);
             const double y = rest.centre(row);
-            add(m.end.x + m.cosine * x - m.sine * y, m.end.y + m.sine * x + m.cosine * y, m.words * words);
+            add(m.end.x + m.cosine * x - m.sine * y, m.end.y + m.sine * x + m.cosine * y,
+                static_cast<double>(m.pairs.size()) * words);
           }
     }
     grid.make_ranks();

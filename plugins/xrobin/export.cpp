@@ -14,6 +14,6 @@ FOOTHOLD_EXPORT_PLANNER(foothold::xrobin::XrobinPlanner,
                             .limbs = "A|B",
                             .start_needs = "base or contacts of A and B (default: the origin); joints are compared",
                             .goal_needs = "base: where body A shall be; its heading counts unless any_orientation",
-                            .prepare_parameters = "method|cycles|grid_cells",
+                            .prepare_parameters = "method|cycles|grid_cells|clearance",
                             .parameters = foothold::xrobin::kParameters,
                             .parameter_count = std::size(foothold::xrobin::kParameters)}))

@@ -6,14 +6,17 @@
 namespace foothold::xrobin {
 
 Greedy::Greedy(const Mechanism& mechanism, int most, int cells)
-    : cells_(cells),
+    : mechanism_(mechanism),
+      cells_(cells),
       modules_(modules(mechanism)),
       grids_(density_grids(modules_, most - 1, cells, most * mechanism.longest_cycle())) {}
 
-Word Greedy::word(double x, double y, int cycles) const {
+// choose(module, word so far) gives the pair of configurations to take for a module, or none.
+template <class Choose>
+Word Greedy::fix_cycles(double x, double y, int cycles, Choose choose) const {
   Word word;
   for (int left = cycles - 1; left >= 0; --left) {
-    const Module* best = nullptr;
+    const std::array<std::uint8_t, 2>* best = nullptr;
     int best_rank = -1;
     double best_square = 0.0;
     double next_x = 0.0;
@@ -32,13 +35,35 @@ Word Greedy::word(double x, double y, int cycles) const {
       if (rank < best_rank) continue;
       const double square = dx * dx + dy * dy;
       if (rank == best_rank && square >= best_square) continue;
-      best = &m, best_rank = rank, best_square = square, next_x = in_x, next_y = in_y;
+      const std::array<std::uint8_t, 2>* pair = choose(m, word);
+      if (pair == nullptr) continue;
+      best = pair, best_rank = rank, best_square = square, next_x = in_x, next_y = in_y;
     }
-    word.push_back(best->first);
-    word.push_back(best->second);
+    word.push_back((*best)[0]);
+    word.push_back((*best)[1]);
     x = next_x, y = next_y;
   }
   return word;
+}
+
+Word Greedy::word(double x, double y, int cycles) const {
+  return fix_cycles(x, y, cycles, [](const Module& m, const Word&) { return &m.pairs.front(); });
+}
+
+Word Greedy::word(double x, double y, int cycles, const Filter& filter) const {
+  Possible possible{};
+  PlanarPose a;
+  std::size_t asked_at = 1;  // the length of the word for which `possible` holds; no word is of odd length here
+  return fix_cycles(x, y, cycles, [&](const Module& m, const Word& word) -> const std::array<std::uint8_t, 2>* {
+    if (word.size() != asked_at) {
+      if (!word.empty()) a = a * mechanism_.b_in_a(word[word.size() - 2]) * inverse(mechanism_.b_in_a(word.back()));
+      possible = filter(a, word.empty() ? 0 : word.back());
+      asked_at = word.size();
+    }
+    for (const auto& pair : m.pairs)
+      if ((possible[pair[0] - 1u] >> (pair[1] - 1u) & 1u) != 0) return &pair;
+    return nullptr;
+  });
 }
 
 std::size_t cycles_to_keep(const Mechanism& mechanism, const Word& word, double x, double y, double tolerance) {

@@ -3,6 +3,8 @@
 // nearest to the goal.
 #pragma once
 
+#include <functional>
+
 #include "density.hpp"
 
 namespace foothold::xrobin {
@@ -14,10 +16,21 @@ class Greedy {
   int cycles() const { return static_cast<int>(grids_.size()) + 1; }
   const std::vector<DensityGrid>& grids() const { return grids_; }
   int cells() const { return cells_; }
+  // Which second configurations can follow which first one (index first - 1; bit second - 1) from where body A is, in the frame of
+  // its start, after a cycle that ended in configuration `before` (0: none yet).
+  using Possible = std::array<std::uint8_t, kConfigurations>;
+  using Filter = std::function<Possible(const PlanarPose& a, int before)>;
+
   // The word of `cycles` cycles, at most cycles(), towards (x, y), in m in the frame of body A before the first of them.
   Word word(double x, double y, int cycles) const;
+  // The same among the cycles that are possible. Staying must always be.
+  Word word(double x, double y, int cycles, const Filter& filter) const;
 
  private:
+  template <class Choose>
+  Word fix_cycles(double x, double y, int cycles, Choose choose) const;
+
+  Mechanism mechanism_;
   int cells_;
   std::vector<Module> modules_;
   std::vector<DensityGrid> grids_;

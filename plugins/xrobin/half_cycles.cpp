@@ -21,13 +21,14 @@ class PoseHash {
     slots_.assign(capacity, kFree);
   }
 
-  // Appends the pose unless the level holds it already.
-  void insert(PoseLevel& level, double x, double y, std::uint16_t turn, std::uint32_t origin) {
+  // Appends the pose unless the level holds it already; gives its index.
+  std::uint32_t insert(PoseLevel& level, double x, double y, std::uint16_t turn, std::uint32_t origin) {
     const std::size_t mask = slots_.size() - 1;
     std::size_t slot = hash(x, y, turn) & mask;
     while (slots_[slot] != kFree) {
       const std::size_t k = slots_[slot];
-      if (level.turn[k] == turn && std::abs(level.x[k] - x) <= kMergeDistance && std::abs(level.y[k] - y) <= kMergeDistance) return;
+      if (level.turn[k] == turn && std::abs(level.x[k] - x) <= kMergeDistance && std::abs(level.y[k] - y) <= kMergeDistance)
+        return static_cast<std::uint32_t>(k);
       slot = (slot + 1) & mask;
     }
     slots_[slot] = static_cast<std::uint32_t>(level.size());
@@ -35,6 +36,7 @@ class PoseHash {
     level.y.push_back(y);
     level.turn.push_back(turn);
     level.origin.push_back(origin);
+    return slots_[slot];
   }
 
  private:
@@ -101,9 +103,10 @@ HalfCycles::HalfCycles(const Mechanism& mechanism) : mechanism_(mechanism), turn
 
 bool HalfCycles::grow(int wanted, const std::stop_token& stop) {
   while (levels() < wanted) {
-    const PoseLevel& below = levels_.back();
+    PoseLevel& below = levels_.back();
     const bool b_moves = levels() % 2 == 0;
     PoseLevel next;
+    below.next.resize(below.size() * kConfigurations);
     PoseHash seen(below.size() * kConfigurations);
     for (std::size_t k = 0; k < below.size(); ++k) {
       if (k % 4096 == 0 && stop.stop_requested()) return false;
@@ -112,8 +115,9 @@ bool HalfCycles::grow(int wanted, const std::stop_token& stop) {
         // The slot lies along the y axis of body A, which is the one that moves in the second half of a cycle.
         const std::size_t slot = b_moves ? below.turn[k] : turn;
         const double along = b_moves ? c.y : -c.y;
-        seen.insert(next, below.x[k] - turns_.sine(slot) * along, below.y[k] + turns_.cosine(slot) * along, turn,
-                    static_cast<std::uint32_t>(k * kConfigurations + static_cast<std::size_t>(c.number - 1)));
+        const std::size_t code = k * kConfigurations + static_cast<std::size_t>(c.number - 1);
+        below.next[code] = seen.insert(next, below.x[k] - turns_.sine(slot) * along, below.y[k] + turns_.cosine(slot) * along, turn,
+                                       static_cast<std::uint32_t>(code));
       }
     }
     levels_.push_back(std::move(next));

@@ -19,6 +19,7 @@ struct PoseLevel {
   std::vector<double> y;
   std::vector<std::uint16_t> turn;
   std::vector<std::uint32_t> origin;  // 8 * (index in the level below) + configuration number - 1
+  std::vector<std::uint32_t> next;    // at 8 * k + number - 1: pose k's successor in the level above, once that is made
   std::size_t size() const { return x.size(); }
 };
 

@@ -1,6 +1,7 @@
 // One cycle of Xrobin as a module of the hyper-redundant arm that is equivalent to it (the paper's section 3).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -8,15 +9,12 @@
 
 namespace foothold::xrobin {
 
-// What a cycle does: body A's pose after it in the frame before it. `words` of the 64 pairs of configurations do just this;
-// `first` and `second` are the pair with the least numbers.
+// What a cycle does: body A's pose after it in the frame before it.
 struct Module {
   PlanarPose end;
   double cosine = 1.0;
   double sine = 0.0;
-  double words = 1.0;
-  std::uint8_t first = 1;
-  std::uint8_t second = 1;
+  std::vector<std::array<std::uint8_t, 2>> pairs;  // of configurations that do just this; the least numbers first
 };
 
 // All cycles with different ends: 55 with the printed lengths.

@@ -2,7 +2,7 @@
 //
 // Points are grouped into clusters, each the points of one small square: prefixes of one heading, so that one shift by the target
 // moves the whole cluster, suffixes of any heading. Bit maps at several scales say whether any suffix lies near a place; most
-// prefix clusters end at one look at a bit. Single precision throughout: kMargin is more than what that loses.
+// prefix clusters end at one look at a bit. Single precision throughout: kMargin is more than what that loses within a metre.
 #pragma once
 
 #include <array>

@@ -1,175 +1,114 @@
-// The search over pairs: prefix clusters against the bit maps, then clusters against clusters, then points against points.
+// Sinks of the scan: the nearest pair, and the nearest many.
 #include "pair_search.hpp"
 
 #include <algorithm>
-#include <limits>
+
+#include "pair_scan.hpp"
 
 namespace foothold::xrobin {
 namespace {
 
-constexpr std::uint32_t kLookEvery = 16384;  // clusters between two looks at the stop token
+constexpr double kFirstBound = 2e-3;  // m
 
-// One search: the target as each heading sees it, and what has been found.
-class Search {
+class Nearest {
  public:
-  Search(const HalfCycles& half_cycles, int n, const PairIndex& index, const Target& target, double bound,
-         const std::stop_token& stop)
-      : level_(half_cycles.level(n)), turns_(half_cycles.turns()), index_(index), target_(target), stop_(stop), bound_(bound) {
-    shift_x_.resize(turns_.size());
-    shift_y_.resize(turns_.size());
-    for (std::size_t t = 0; t < turns_.size(); ++t) {
-      shift_x_[t] = static_cast<float>(turns_.cosine(t) * target.x + turns_.sine(t) * target.y);
-      shift_y_[t] = static_cast<float>(turns_.cosine(t) * target.y - turns_.sine(t) * target.x);
-    }
-    if (target.heading) allow_headings();
-    take_radius();
+  explicit Nearest(double bound) : bound_(bound) {}
+  double bound() const { return bound_; }
+  static double inner() { return 0.0; }
+  void take(const Pair& pair) {
+    best = pair;
+    bound_ = pair.distance;
   }
-
-  // Every `stride`-th prefix cluster.
-  void pass(std::size_t stride) {
-    for (std::size_t turn = 0; turn < turns_.size() && !stopped_; ++turn) {
-      if (target_.heading && !leads_to_heading_[turn]) continue;
-      vx_ = shift_x_[turn];
-      vy_ = shift_y_[turn];
-      for (std::size_t k = index_.turn_clusters[turn]; k < index_.turn_clusters[turn + 1] && !stopped_; k += stride) {
-        look();
-        const Cluster& cluster = index_.prefix_clusters[k];
-        const float ux = vx_ + cluster.x;
-        const float uy = vy_ + cluster.y;
-        if (map_ == nullptr)
-          visit_tree(k, ux, uy);
-        else if (is_near(ux, uy))
-          visit_cells(k, ux, uy);
-      }
-    }
-  }
-
-  bool stopped() const { return stopped_; }
-  const std::optional<Pair>& best() const { return best_; }
+  std::optional<Pair> best;
 
  private:
-  void look() {
-    if (++looks_ % kLookEvery == 0 && stop_.stop_requested()) stopped_ = true;
-  }
-
-  // Which pairs of headings end in the wanted one.
-  void allow_headings() {
-    const std::size_t n = turns_.size();
-    allowed_.assign(n * n, 0);
-    leads_to_heading_.assign(n, 0);
-    for (std::size_t p = 0; p < n; ++p)
-      for (std::size_t s = 0; s < n; ++s) {
-        if (std::abs(wrapped(turns_.angle(p) - turns_.angle(s) - *target_.heading)) > target_.heading_tolerance) continue;
-        allowed_[p * n + s] = 1;
-        leads_to_heading_[p] = 1;
-      }
-  }
-
-  // Sets what follows from the distance that still is of interest: search radius and map.
-  void take_radius() {
-    radius_ = static_cast<float>(std::min(bound_, 1e6)) + PairIndex::kMargin;
-    map_ = nullptr;
-    for (const NearMap& map : index_.near)
-      if (map.radius >= radius_ + index_.widest_prefix_cluster) {
-        map_ = &map;
-        return;
-      }
-  }
-
-  bool is_near(float x, float y) const {
-    const auto column = static_cast<std::int32_t>(x * map_->per_metre + map_->offset);
-    const auto row = static_cast<std::int32_t>(y * map_->per_metre + map_->offset);
-    if (static_cast<std::uint32_t>(column) >= map_->columns || static_cast<std::uint32_t>(row) >= map_->columns) return false;
-    const std::uint32_t bit = static_cast<std::uint32_t>(row) * map_->columns + static_cast<std::uint32_t>(column);
-    return (map_->bits[bit / 32] >> (bit % 32) & 1u) != 0;
-  }
-
-  void visit_cells(std::size_t k, float ux, float uy) {
-    const float around = radius_ + index_.prefix_clusters[k].spread;
-    const Cells& cells = index_.cells;
-    const std::uint32_t left = cells.of(ux - around), right = cells.of(ux + around);
-    const std::uint32_t bottom = cells.of(uy - around), top = cells.of(uy + around);
-    for (std::uint32_t row = bottom; row <= top; ++row) {
-      const std::size_t line = static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.columns);
-      const std::uint32_t end = index_.cell_clusters[line + right + 1];
-      for (std::uint32_t s = index_.cell_clusters[line + left]; s < end; ++s) try_clusters(k, s, ux, uy);
-    }
-  }
-
-  void visit_tree(std::size_t k, float ux, float uy) {
-    const float spread = index_.prefix_clusters[k].spread;
-    index_.suffix_tree.visit(
-        ux, uy, [&] { return stopped_ ? -1.0F : radius_ + spread; }, [&](std::uint32_t s) { try_clusters(k, s, ux, uy); });
-  }
-
-  void try_clusters(std::size_t prefix_cluster, std::size_t suffix_cluster, float ux, float uy) {
-    look();
-    const Cluster& prefix = index_.prefix_clusters[prefix_cluster];
-    const Cluster& suffix = index_.suffix_clusters[suffix_cluster];
-    const float dx = suffix.x - ux;
-    const float dy = suffix.y - uy;
-    const float most = radius_ + prefix.spread + suffix.spread;
-    if (dx * dx + dy * dy > most * most) return;
-    const Points& p = index_.prefixes;
-    const Points& q = index_.suffixes;
-    const std::uint32_t suffix_end = index_.suffix_clusters[suffix_cluster + 1].begin;
-    for (std::uint32_t k = prefix.begin; k < index_.prefix_clusters[prefix_cluster + 1].begin; ++k) {
-      const float px = vx_ + p.x[k];
-      const float py = vy_ + p.y[k];
-      for (std::uint32_t s = suffix.begin; s < suffix_end; ++s) {
-        const float ex = q.x[s] - px;
-        const float ey = q.y[s] - py;
-        if (ex * ex + ey * ey < radius_ * radius_) take(p.id[k], q.id[s]);
-      }
-    }
-  }
-
-  // Judges a pair in double precision.
-  void take(std::uint32_t prefix, std::uint32_t suffix) {
-    const std::size_t p = level_.turn[prefix];
-    const std::size_t s = level_.turn[suffix];
-    if (target_.heading && !allowed_[p * turns_.size() + s]) return;
-    const double qx = -turns_.cosine(s) * level_.x[suffix] - turns_.sine(s) * level_.y[suffix];
-    const double qy = turns_.sine(s) * level_.x[suffix] - turns_.cosine(s) * level_.y[suffix];
-    const double x = level_.x[prefix] + turns_.cosine(p) * qx - turns_.sine(p) * qy;
-    const double y = level_.y[prefix] + turns_.sine(p) * qx + turns_.cosine(p) * qy;
-    const double distance = std::hypot(x - target_.x, y - target_.y);
-    if (distance >= bound_) return;
-    best_ = Pair{prefix, suffix, distance};
-    bound_ = distance;
-    take_radius();
-  }
-
-  const PoseLevel& level_;
-  const Turns& turns_;
-  const PairIndex& index_;
-  const Target& target_;
-  const std::stop_token& stop_;
-  std::uint32_t looks_ = 0;
-  bool stopped_ = false;
   double bound_;
-  float radius_ = 0.0F;
-  const NearMap* map_ = nullptr;  // null: the radius is beyond every map
-  float vx_ = 0.0F, vy_ = 0.0F;   // the target's shift at the heading at hand
-  std::vector<float> shift_x_, shift_y_;
-  std::vector<char> allowed_, leads_to_heading_;
-  std::optional<Pair> best_;
+};
+
+class NearestMany {
+ public:
+  NearestMany(const PairRange& range, const std::function<bool(const Pair&)>& wanted)
+      : range_(range), wanted_(wanted), bound_(range.outer) {}
+  double bound() const { return bound_; }
+  double inner() const { return range_.inner; }
+
+  void take(const Pair& pair) {
+    if (!wanted_(pair)) return;
+    pairs_.push_back(pair);
+    if (pairs_.size() >= 2 * range_.most) cut();
+  }
+
+  PairBatch finish() {
+    if (pairs_.size() > range_.most) cut();
+    std::sort(pairs_.begin(), pairs_.end(), before);
+    return {std::move(pairs_), bound_};
+  }
+
+ private:
+  static bool before(const Pair& a, const Pair& b) {
+    if (a.distance != b.distance) return a.distance < b.distance;
+    return a.prefix != b.prefix ? a.prefix < b.prefix : a.suffix < b.suffix;
+  }
+
+  // Keeps the nearest; all that are as far as the last of them go, so that what is kept is complete.
+  void cut() {
+    std::nth_element(pairs_.begin(), pairs_.begin() + static_cast<std::ptrdiff_t>(range_.most), pairs_.end(), before);
+    const double farthest = pairs_[range_.most].distance;
+    const auto kept = std::remove_if(pairs_.begin(), pairs_.end(), [&](const Pair& p) { return p.distance >= farthest; });
+    if (kept == pairs_.begin()) {
+      // More pairs end in one place than are wanted: they must all be taken.
+      range_.most *= 2;
+      return;
+    }
+    pairs_.erase(kept, pairs_.end());
+    bound_ = farthest;
+  }
+
+  PairRange range_;
+  const std::function<bool(const Pair&)>& wanted_;
+  double bound_;
+  std::vector<Pair> pairs_;
 };
 
 }  // namespace
+
+Target seen_from(const PlanarPose& from, const Target& goal) {
+  const PlanarPose at = inverse(from) * PlanarPose{goal.x, goal.y, 0.0};
+  Target out{at.x, at.y, std::nullopt, goal.heading_tolerance};
+  if (goal.heading) out.heading = wrapped(*goal.heading - from.heading);
+  return out;
+}
 
 PairSearch::PairSearch(const HalfCycles& half_cycles, int n)
     : half_cycles_(&half_cycles), n_(n), index_(half_cycles.level(n), half_cycles.turns()) {}
 
 std::optional<Pair> PairSearch::closest(const Target& target, double bound, const std::stop_token& stop) const {
   // Where `bound` says little, small ones are tried first: with a heading wanted, few of the points near by are of use.
-  for (double tried = std::min(bound, 2e-3);; tried = std::min(bound, 8.0 * tried)) {
-    Search search(*half_cycles_, n_, index_, target, tried, stop);
+  for (double tried = std::min(bound, kFirstBound);; tried = std::min(bound, 8.0 * tried)) {
+    Nearest nearest(tried);
+    PairScan scan(half_cycles_->level(n_), half_cycles_->turns(), index_, target, nearest, stop);
     // A few clusters first: the nearest of a sample makes the radius small for all the others.
-    for (const std::size_t stride : {512u, 32u, 1u}) search.pass(stride);
-    if (search.stopped()) return std::nullopt;
-    if (search.best() || tried == bound) return search.best();
+    for (const std::size_t stride : {512u, 32u, 1u}) scan.pass(stride);
+    if (scan.stopped()) return std::nullopt;
+    if (nearest.best || tried == bound) return nearest.best;
   }
+}
+
+std::optional<PairBatch> PairSearch::batch(const Target& target, const PairRange& range,
+                                           const std::function<bool(const Pair&)>& wanted, const std::stop_token& stop) const {
+  NearestMany nearest(range, wanted);
+  PairScan scan(half_cycles_->level(n_), half_cycles_->turns(), index_, target, nearest, stop);
+  scan.pass(1);
+  if (scan.stopped()) return std::nullopt;
+  return nearest.finish();
+}
+
+PlanarPose PairSearch::end(const Pair& pair) const {
+  const PoseLevel& level = half_cycles_->level(n_);
+  const auto at = [&](std::uint32_t id) {
+    return PlanarPose{level.x[id], level.y[id], half_cycles_->turns().angle(level.turn[id])};
+  };
+  return at(pair.prefix) * inverse(at(pair.suffix));
 }
 
 Word PairSearch::word(const Pair& pair) const {

@@ -6,6 +6,7 @@
 // the best end point by a factor of ten and more.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "pair_index.hpp"
@@ -20,10 +21,26 @@ struct Target {
   double heading_tolerance = 0.0;
 };
 
+// The same goal as body A sees it from `from`.
+Target seen_from(const PlanarPose& from, const Target& goal);
+
 struct Pair {
   std::uint32_t prefix = 0;
   std::uint32_t suffix = 0;
   double distance = 0.0;  // m
+};
+
+// Pairs at a distance of `inner` or more and less than `outer` (m), the nearest `most` of them.
+struct PairRange {
+  double inner = 0.0;
+  double outer = 0.0;
+  std::size_t most = 0;
+};
+
+// In the order of the distance; all there are that are nearer than `complete_to` (m).
+struct PairBatch {
+  std::vector<Pair> pairs;
+  double complete_to = 0.0;
 };
 
 // Immutable; any thread. Keeps a pointer to the half cycles, which must not grow meanwhile.
@@ -32,7 +49,12 @@ class PairSearch {
   PairSearch(const HalfCycles& half_cycles, int n);
   // The nearest pair among those nearer than `bound` (m); none if there is no such pair or the search was stopped.
   std::optional<Pair> closest(const Target& target, double bound, const std::stop_token& stop) const;
+  // The pairs of a range that are `wanted`; a few more than `most` if their last distance is that of several. None if stopped.
+  std::optional<PairBatch> batch(const Target& target, const PairRange& range, const std::function<bool(const Pair&)>& wanted,
+                                 const std::stop_token& stop) const;
   Word word(const Pair& pair) const;
+  // Body A after the word, as the merged poses have it.
+  PlanarPose end(const Pair& pair) const;
   // In m: the end of no word is farther than this from the end of the pair that stands for it.
   double merge_bound() const;
   int cycles() const { return n_; }

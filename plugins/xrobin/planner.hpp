@@ -25,6 +25,9 @@ class XrobinPlanner final : public Planner {
   std::vector<Shape> shapes(const Posture& posture) const override;
 
  private:
+  // What depends on the robot alone. False if stopped.
+  bool make_tables(const Parameters& parameters, bool obstacles, const std::stop_token& stop);
+
   Mechanism mechanism_;
   Ring ring_;
   Bodies bodies_;

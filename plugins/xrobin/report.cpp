@@ -15,6 +15,14 @@ std::string text(const Parts&... parts) {
 
 void name_the_shortfall(PlanReport& report, const Limits& limits, const Solution& solution, double goal_distance, double reach) {
   report.outcome = PlanReport::Outcome::kPartial;
+  if (solution.no_way) {
+    report.error = PlanError::kNoPath;
+    report.field = "goal.base.position";
+    report.message =
+        text("obstacles part the start from the goal, or hold the goal; the plan ends ", solution.distance, " m away from it");
+    report.hint = "move the goal";
+    return;
+  }
   if (goal_distance > reach + limits.tolerance) {
     report.error = PlanError::kUnreachableGoal;
     report.field = "goal.base.position";
@@ -37,8 +45,9 @@ PlanReport report_of(Method method, const Target& goal, const Limits& limits, co
     report.outcome = PlanReport::Outcome::kFailed;
     report.error = PlanError::kUnreachableGoal;
     report.field = "goal.base.orientation";
-    report.message = text("no word of at most ", limits.cycles, " cycles ends within ", goal.heading_tolerance, " rad of the heading ", *goal.heading,
-                          " rad from the start's: headings are multiples of ", mechanism.eighth_turn(), " rad nearly");
+    report.message =
+        text("no word of at most ", limits.cycles, " cycles ends within ", goal.heading_tolerance, " rad of the heading ",
+             *goal.heading, " rad from the start's: headings are multiples of ", mechanism.eighth_turn(), " rad nearly");
     report.hint = "set any_orientation, or ask for a heading that is a multiple of 45 deg from the start's";
     return report;
   }

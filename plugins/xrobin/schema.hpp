@@ -19,6 +19,12 @@ inline constexpr ParameterSpec kParameters[] = {
      "Configuration in which the robot begins, if the start gives no contacts"},
     {"grid_cells", ParameterKind::kInteger, "1", "201", 11, 1001, "", "greedy: cells along a side of the density grids"},
     {"early_stop", ParameterKind::kFlag, "", "true", 0, 0, "", "greedy: leave out cycles that bring the robot no nearer"},
+    {"clearance", ParameterKind::kReal, "m", "0.001", 0.0, 0.1, "",
+     "With a scene: bodies and pistons stay at least so far away from obstacles, at rest and on the way"},
+    {"max_pairs", ParameterKind::kInteger, "1", "1000000", 1, 1000000000, "",
+     "With a scene: how many pairs of half plans the exact search looks at before it gives up"},
+    {"max_nodes", ParameterKind::kInteger, "1", "20000", 1, 10000000, "",
+     "With a scene: how many stances are looked at on the way to a far goal"},
 };
 
 }  // namespace foothold::xrobin

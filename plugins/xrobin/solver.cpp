@@ -7,7 +7,7 @@
 namespace foothold::xrobin {
 namespace {
 
-constexpr double kAny = 1e6;      // m: no bound on the distance
+constexpr double kAny = 1e4;      // m: no bound on the distance
 constexpr double kEqual = 1e-12;  // m: distances that differ by rounding only
 
 double away(const Target& goal) { return std::hypot(goal.x, goal.y); }
@@ -16,14 +16,7 @@ void append(Word& word, const Word& more) { word.insert(word.end(), more.begin()
 
 }  // namespace
 
-Target seen_from(const PlanarPose& from, const Target& goal) {
-  const PlanarPose at = inverse(from) * PlanarPose{goal.x, goal.y, 0.0};
-  Target out{at.x, at.y, std::nullopt, goal.heading_tolerance};
-  if (goal.heading) out.heading = wrapped(*goal.heading - from.heading);
-  return out;
-}
-
-bool Solver::prepare(Method method, int cycles, int grid_cells, const std::stop_token& stop) {
+bool Solver::prepare(Method method, int cycles, int grid_cells, bool obstacles, const std::stop_token& stop) {
   if (method == Method::kGreedy) {
     if (!greedy_ || greedy_->cycles() != cycles || greedy_->cells() != grid_cells)
       greedy_ = std::make_unique<Greedy>(mechanism_, cycles, grid_cells);
@@ -33,6 +26,7 @@ bool Solver::prepare(Method method, int cycles, int grid_cells, const std::stop_
       if (stop.stop_requested()) return false;
       if (!searches_.contains(n)) searches_.emplace(n, std::make_unique<PairSearch>(half_cycles_, n));
     }
+    if (obstacles && (!origins_ || origins_->levels() < cycles)) origins_ = std::make_unique<Origins>(half_cycles_, cycles);
   }
   return true;
 }

@@ -10,6 +10,7 @@
 
 #include "brute_force.hpp"
 #include "greedy.hpp"
+#include "origins.hpp"
 #include "pair_search.hpp"
 
 namespace foothold::xrobin {
@@ -30,6 +31,7 @@ struct Solution {
   int proved_cycles = 0;
   int least_cycles = 0;  // proved: no word of fewer cycles meets the tolerance
   bool possible = true;  // false: no word of any length ends in the wanted heading
+  bool no_way = false;   // proved: obstacles part the start from the goal
   bool stopped = false;
 };
 
@@ -39,7 +41,7 @@ class Solver {
   explicit Solver(const Mechanism& mechanism) : mechanism_(mechanism), half_cycles_(mechanism) {}
 
   // Makes the tables for a method. Returns false if stopped; calling it again goes on.
-  bool prepare(Method method, int cycles, int grid_cells, const std::stop_token& stop);
+  bool prepare(Method method, int cycles, int grid_cells, bool obstacles, const std::stop_token& stop);
   // prepare() of the same method, cycles and grid cells must have been called.
   Solution solve(Method method, const Target& goal, const Limits& limits, const std::stop_token& stop) const;
 
@@ -47,6 +49,7 @@ class Solver {
   const HalfCycles& half_cycles() const { return half_cycles_; }
   const PairSearch& search(int cycles) const { return *searches_.at(cycles); }
   const Greedy& greedy() const { return *greedy_; }
+  const Origins* origins() const { return origins_.get(); }  // null unless prepared for obstacles
 
  private:
   Solution optimal(const Target& goal, const Limits& limits, const std::stop_token& stop) const;
@@ -63,9 +66,7 @@ class Solver {
   HalfCycles half_cycles_;
   std::map<int, std::unique_ptr<PairSearch>> searches_;
   std::unique_ptr<Greedy> greedy_;
+  std::unique_ptr<Origins> origins_;
 };
-
-// The goal as body A sees it from `from`.
-Target seen_from(const PlanarPose& from, const Target& goal);
 
 }  // namespace foothold::xrobin

@@ -130,7 +130,7 @@ void print_sample(const char* name, const Sample& s) {
 int disagreements(Solver& solver, std::mt19937_64& random, int count) {
   int out = 0;
   for (int cycles = 1; cycles <= 3; ++cycles) {
-    solver.prepare(Method::kOptimal, cycles, 0, {});
+    solver.prepare(Method::kOptimal, cycles, 0, false, {});
     const Limits limits{.cycles = cycles, .max_cycles = cycles, .tolerance = 1e-9};
     for (const Target& goal : targets_in_disc(random, count, cycles * solver.mechanism().longest_cycle())) {
       const double best = best_of_all_words(solver.mechanism(), cycles, goal, {})->distance;
@@ -149,8 +149,8 @@ int main(int count, char** words) {
   const Limits limits{.cycles = kCycles, .max_cycles = kCycles, .tolerance = 1e-9};
   std::vector<Figure> figures;
   Solver solver(mechanism);
-  const double grids = time_ms([&] { solver.prepare(Method::kGreedy, kCycles, kGridCells, {}); });
-  const double tables = time_ms([&] { solver.prepare(Method::kOptimal, kCycles, 0, {}); });
+  const double grids = time_ms([&] { solver.prepare(Method::kGreedy, kCycles, kGridCells, false, {}); });
+  const double tables = time_ms([&] { solver.prepare(Method::kOptimal, kCycles, 0, false, {}); });
   print_paper_targets(solver, limits, figures);
 
   std::mt19937_64 random(2022);
@@ -161,8 +161,8 @@ int main(int count, char** words) {
   print_sample("beside the ends of random words", ends);
 
   Solver exact{Mechanism(with_exact_turns(mechanism.lengths().retracted, mechanism.lengths().extended))};
-  const double exact_tables = time_ms([&] { exact.prepare(Method::kOptimal, kCycles, 0, {}); });
-  exact.prepare(Method::kGreedy, kCycles, kGridCells, {});
+  const double exact_tables = time_ms([&] { exact.prepare(Method::kOptimal, kCycles, 0, false, {}); });
+  exact.prepare(Method::kGreedy, kCycles, kGridCells, false, {});
   const Sample turns = run(exact, targets_in_disc(random, targets / 4, 0.5), limits);
   print_sample("turns of exactly 45 deg, evenly over a disc of 500 mm", turns);
 

@@ -26,7 +26,7 @@ TEST(Solver, AgreesWithBruteForceUpToThreeCycles) {
     Solver solver(m);
     std::mt19937_64 random(3);
     for (int cycles = 1; cycles <= 3; ++cycles) {
-      solver.prepare(Method::kOptimal, cycles, 0, {});
+      solver.prepare(Method::kOptimal, cycles, 0, false, {});
       const Limits limits{.cycles = cycles, .max_cycles = cycles, .tolerance = 1e-9};
       for (int k = 0; k < 40; ++k) {
         Target goal = random_target(random, 1.2 * cycles * m.longest_cycle());
@@ -48,8 +48,8 @@ TEST(Solver, AgreesWithBruteForceUpToThreeCycles) {
 TEST(Solver, IsNeverWorseThanGreedyAndFarBetterInTheMedian) {
   const Mechanism m = mechanism();
   Solver solver(m);
-  solver.prepare(Method::kOptimal, 7, 0, {});
-  solver.prepare(Method::kGreedy, 7, 201, {});
+  solver.prepare(Method::kOptimal, 7, 0, false, {});
+  solver.prepare(Method::kGreedy, 7, 201, false, {});
   std::mt19937_64 random(5);
   const Limits limits{.cycles = 7, .max_cycles = 7, .tolerance = 1e-9};
   std::vector<double> ours, papers;
@@ -67,7 +67,7 @@ TEST(Solver, IsNeverWorseThanGreedyAndFarBetterInTheMedian) {
 TEST(Solver, FewestIsTheFirstNumberOfCyclesWhoseOptimumMeetsTheTolerance) {
   const Mechanism m = mechanism();
   Solver solver(m);
-  solver.prepare(Method::kFewest, 6, 0, {});
+  solver.prepare(Method::kFewest, 6, 0, false, {});
   std::mt19937_64 random(11);
   for (int k = 0; k < 60; ++k) {
     const Target goal = random_target(random, 0.35);
@@ -91,7 +91,7 @@ TEST(Solver, FewestIsTheFirstNumberOfCyclesWhoseOptimumMeetsTheTolerance) {
 TEST(Solver, TakesTheFewestCyclesAmongEquallyGoodWords) {
   const Mechanism m = mechanism();
   Solver solver(m);
-  solver.prepare(Method::kOptimal, 6, 0, {});
+  solver.prepare(Method::kOptimal, 6, 0, false, {});
   const Word three{2, 5, 8, 3, 1, 6};
   const PlanarPose end = forward(m, three);
   const Solution found =
@@ -103,7 +103,7 @@ TEST(Solver, TakesTheFewestCyclesAmongEquallyGoodWords) {
 TEST(Solver, PutsFewCyclesBeforeTheLastSearchWhenTheGoalIsFar) {
   const Mechanism m = mechanism();
   Solver solver(m);
-  solver.prepare(Method::kOptimal, 6, 0, {});
+  solver.prepare(Method::kOptimal, 6, 0, false, {});
   std::mt19937_64 random(17);
   for (int k = 0; k < 20; ++k) {
     Target goal = random_target(random, 0.5);
@@ -121,7 +121,7 @@ TEST(Solver, PutsFewCyclesBeforeTheLastSearchWhenTheGoalIsFar) {
 
 TEST(Solver, StopsWithinASearch) {
   Solver solver(mechanism());
-  solver.prepare(Method::kOptimal, 6, 0, {});
+  solver.prepare(Method::kOptimal, 6, 0, false, {});
   std::stop_source stop;
   stop.request_stop();
   EXPECT_TRUE(solver.solve(Method::kOptimal, {0.2, 0.1, {}, 0.0}, {.cycles = 6}, stop.get_token()).stopped);
