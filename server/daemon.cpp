@@ -158,6 +158,7 @@ void Daemon::beat() {
     complained_ = clock_.now();
     partitions_->sweep();
     if (const std::string complaint = inbox_->take_complaint(); !complaint.empty()) spdlog::warn("{}", complaint);
+    if (const std::string trouble = journal_.trouble(); !trouble.empty()) spdlog::error("the log waits for the database: {}", trouble);
   }
   service::alive();
   beat_timer_.expires_after(kBeat);

@@ -1,189 +1,161 @@
-// The journal in SQLite: opening, writing, committing.
+// The journal on disk.
 #include "journal/journal.hpp"
-
-#include <sqlite3.h>
-
-#include <cstring>
-
-#include "journal/guarded.hpp"
 
 namespace foothold::server {
 namespace {
 
-constexpr std::int64_t kApplication = 0x666F6F74;  // "foot", in the file's header
-// Pages of the log, 4 kB each: when to carry it over, when to begin it anew, and when to do that at any price.
-constexpr int kCheckpointLog = 1000;
-constexpr int kLongLog = 32768;
-constexpr int kFarTooLongLog = 131072;
-constexpr std::int64_t kCheckedPages = 16384;  // larger files are not read as a whole at start
+constexpr std::size_t kMostRecent = 256u << 20;  // octets that may wait for the database
 
-constexpr const char* kSchema = R"(
-  PRAGMA application_id = 0x666F6F74;
-  CREATE TABLE server (key TEXT PRIMARY KEY, value BLOB NOT NULL) WITHOUT ROWID;
-  CREATE TABLE request (row INTEGER PRIMARY KEY, id BLOB NOT NULL UNIQUE, received INTEGER NOT NULL, body BLOB NOT NULL);
-  CREATE TABLE unfinished (row INTEGER PRIMARY KEY);
-  CREATE TABLE ending (row INTEGER PRIMARY KEY, stamp INTEGER NOT NULL, event BLOB NOT NULL);
-  CREATE TABLE scene (row INTEGER PRIMARY KEY, event BLOB NOT NULL);
-  CREATE TABLE step (request INTEGER NOT NULL, number INTEGER NOT NULL, body BLOB NOT NULL, UNIQUE (request, number));
-)";
+// Runs a read of the database and turns its errors into the journal's.
+template <class Work>
+auto reading(Work&& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const sqlite::Error& error) {
+    throw JournalError(error.what());
+  }
+}
+
+template <class Message>
+Message decoded(const Entry& entry) {
+  auto message = msg::decode<Message>(entry.body);
+  if (!message) throw JournalError("an entry of the journal's log cannot be read");
+  return std::move(*message);
+}
 
 }  // namespace
 
-SqliteJournal::SqliteJournal(const std::string& path) try : database_(path) { open(); } catch (const sqlite::Error& error) {
-  if (error.code() == SQLITE_NOTADB)
-    throw JournalError(path + ": is not a journal of foothold; move it away or choose another state_dir");
-  if (error.code() == SQLITE_CORRUPT)
-    throw JournalError(path + ": is damaged (" + error.what() +
-                       "); move it away, with -wal and -shm, to start with an empty journal");
-  throw JournalError(error.what());
+SqliteJournal::SqliteJournal(const std::string& path) : log_(path + "-log") {
+  auto writer = std::make_unique<Store>(path);
+  reading([&] {
+    replay(*writer);
+    writer->visit_ids([&](const Id& id) { known_ids_.add(id); });
+  });
+  log_.restart();
+  reader_ = std::make_unique<Store>(path);
+  carrier_ = std::make_unique<Carrier>(std::move(writer), log_);
 }
 
-void SqliteJournal::open() {
-  database_.run(
-      "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 0; PRAGMA temp_store = MEMORY;");
-  if (database_.integer("SELECT count(*) FROM sqlite_schema") == 0) create();
-  check_file();
-  prepare();
-  sqlite::Statement id = database_.prepare("SELECT value FROM server WHERE key = 'id'");
-  if (!id.step() || id.bytes(0).size() != server_id_.size())
-    throw JournalError(database_.path() + ": has no server id; move it away");
-  std::memcpy(server_id_.data(), id.bytes(0).data(), server_id_.size());
-  checkpoints_.emplace(database_.path());
-  const auto log_grew = [](void* self, sqlite3*, const char*, int pages) {
-    static_cast<SqliteJournal*>(self)->keep_log_short(pages);
-    return SQLITE_OK;
-  };
-  sqlite3_wal_hook(database_.handle(), log_grew, this);
-}
+SqliteJournal::~SqliteJournal() = default;
 
-// Under load the thread never catches up with the last page, so the log would grow for ever. It is begun anew from here, just after
-// the thread has done its part: then little is left to do while the loop waits for the disk.
-void SqliteJournal::keep_log_short(int pages) {
-  const bool rested = !checkpoints_->busy();
-  if ((pages > kLongLog && rested) || pages > kFarTooLongLog)
-    sqlite3_wal_checkpoint_v2(database_.handle(), nullptr, SQLITE_CHECKPOINT_RESTART, nullptr, nullptr);
-  else if (pages > kCheckpointLog)
-    checkpoints_->start();
-}
-
-void SqliteJournal::create() {
-  database_.run("BEGIN IMMEDIATE");
-  database_.run(kSchema);
-  database_.run("PRAGMA user_version = " + std::to_string(kSchemaVersion));
-  sqlite::Statement id = database_.prepare("INSERT INTO server VALUES ('id', ?)");
-  const Id made = msg::random_id();
-  id.bind(1, std::span<const std::uint8_t>(made)).run();
-  database_.run("COMMIT");
-}
-
-void SqliteJournal::check_file() {
-  const std::string& path = database_.path();
-  if (database_.integer("PRAGMA application_id") != kApplication)
-    throw JournalError(path + ": is a database, but not a journal of foothold; move it away or choose another state_dir");
-  const std::int64_t version = database_.integer("PRAGMA user_version");
-  if (version != kSchemaVersion)
-    throw JournalError(path + ": has schema version " + std::to_string(version) + ", this server reads version " +
-                       std::to_string(kSchemaVersion) + "; move it away or use the server that wrote it");
-  if (database_.integer("PRAGMA page_count") > kCheckedPages) return;
-  const std::string found = database_.text("PRAGMA quick_check(1)");
-  if (found != "ok")
-    throw JournalError(path + ": is damaged (" + found + "); move it away, with -wal and -shm, to start with an empty journal");
-}
-
-void SqliteJournal::prepare() {
-  const auto make = [&](const char* sql) { return database_.prepare(sql); };
-  sql_.begin = make("BEGIN IMMEDIATE");
-  sql_.commit = make("COMMIT");
-  sql_.add_request = make("INSERT INTO request (id, received, body) VALUES (?, ?, ?)");
-  sql_.add_unfinished = make("INSERT INTO unfinished VALUES (?)");
-  sql_.add_step = make("INSERT INTO step VALUES (?, ?, ?)");
-  sql_.set_scene = make("INSERT OR REPLACE INTO scene VALUES (?, ?)");
-  sql_.end_unfinished = make("DELETE FROM unfinished WHERE row = ?");
-  sql_.add_ending = make("INSERT INTO ending VALUES (?, ?, ?)");
-  sql_.row_of = make("SELECT row FROM request WHERE id = ?");
-  sql_.request = make("SELECT received, body FROM request WHERE row = ?");
-  sql_.ending = make("SELECT event FROM ending WHERE row = ?");
-  sql_.scene = make("SELECT event FROM scene WHERE row = ?");
-  sql_.last_step = make("SELECT max(number) FROM step WHERE request = ?");
-  sql_.steps = make("SELECT body FROM step WHERE request = ? AND number >= ? ORDER BY number");
-  sql_.unfinished = make("SELECT row FROM unfinished ORDER BY row");
-  // In the order of receipt, which is the order of the ends but for a budget.
-  sql_.old = make("SELECT row, stamp FROM ending ORDER BY row LIMIT ?");
-  sql_.forget_steps = make("DELETE FROM step WHERE request = ?");
-  sql_.forget_scene = make("DELETE FROM scene WHERE row = ?");
-  sql_.forget_ending = make("DELETE FROM ending WHERE row = ?");
-  sql_.forget_request = make("DELETE FROM request WHERE row = ?");
+void SqliteJournal::replay(Store& store) {
+  store.begin();
+  log_.replay([&](std::span<const std::byte> batch) { visit_entries(batch, [&](const Entry& entry) { store.apply(entry); }); });
+  store.commit();
 }
 
 void SqliteJournal::add_request(const msg::PlanRequest& request, Stamp received) {
-  writing([&] {
-    msg::encode_into(request, buffer_);
-    sql_.add_request.bind(1, std::span<const std::uint8_t>(request.id()))
-        .bind(2, received)
-        .bind(3, std::span<const std::byte>(buffer_));
-    sql_.add_request.run();
-    const Row row = database_.last_row();
-    sql_.add_unfinished.bind(1, row).run();
-    rows_[request.id()] = row;
-  });
+  msg::encode_into(request, buffer_);
+  append_entry(open_, {Entry::Kind::kRequest, request.id(), received, buffer_});
+  open_requests_.push_back(request.id());
+  recent_requests_.emplace(request.id(), last_number_ + 1);
 }
 
 void SqliteJournal::add_step(const Id& request, std::uint32_t index, const Bytes& step) {
-  writing([&] {
-    sql_.add_step.bind(1, row_for_writing(request)).bind(2, std::int64_t{index}).bind(3, std::span<const std::byte>(step)).run();
-  });
+  append_entry(open_, {Entry::Kind::kStep, request, index, step});
 }
 
 // Kept as an event that carries nothing but the shapes: a message has a form of its own on disk, a sequence has not.
 void SqliteJournal::set_scene(const Id& request, const std::vector<msg::Shape>& shapes) {
-  writing([&] {
-    msg::PlanEvent event;
-    event.scene(shapes);
-    msg::encode_into(event, buffer_);
-    sql_.set_scene.bind(1, row_for_writing(request)).bind(2, std::span<const std::byte>(buffer_)).run();
-  });
+  msg::PlanEvent event;
+  event.scene(shapes);
+  msg::encode_into(event, buffer_);
+  append_entry(open_, {Entry::Kind::kScene, request, 0, buffer_});
 }
 
 void SqliteJournal::set_final(const Id& request, const msg::PlanEvent& event) {
-  writing([&] {
-    const Row row = row_for_writing(request);
-    msg::encode_into(event, buffer_);
-    sql_.add_ending.bind(1, row).bind(2, event.stamp()).bind(3, std::span<const std::byte>(buffer_)).run();
-    sql_.end_unfinished.bind(1, row).run();
-    rows_.erase(request);
-  });
+  msg::encode_into(event, buffer_);
+  append_entry(open_, {Entry::Kind::kEnding, request, event.stamp(), buffer_});
 }
 
 void SqliteJournal::commit() {
-  if (!open_) return;
-  writing([&] { sql_.commit.run(); });
-  open_ = false;
+  if (open_.empty()) return;
+  let_go();
+  try {
+    if (recent_octets_ + open_.size() > kMostRecent)
+      throw JournalError("the database is too far behind the log: " + carrier_->trouble());
+    const auto batch = std::make_shared<Batch>();
+    batch->segment = log_.append(open_);
+    batch->number = ++last_number_;
+    batch->octets.swap(open_);
+    recent_octets_ += batch->octets.size();
+    recent_.push_back(batch);
+    carrier_->push(batch);
+  } catch (const JournalError&) {
+    for (const Id& id : open_requests_) recent_requests_.erase(id);
+    open_.clear();
+    open_requests_.clear();
+    throw;
+  }
+  for (const Id& id : open_requests_) known_ids_.add(id);
+  open_requests_.clear();
 }
 
-SqliteJournal::Row SqliteJournal::row_for_writing(const Id& request) {
-  const auto row = row_of(request);
-  if (!row) throw JournalError("request " + msg::to_hex(request) + " is not in the journal");
-  return *row;
+// Lets go of batches that the database holds by now: before every look at it, so that what it forgot does not come back from them.
+void SqliteJournal::let_go() {
+  const std::uint64_t carried = carrier_->carried();
+  if (recent_.empty() || recent_.front()->number > carried) return;
+  while (!recent_.empty() && recent_.front()->number <= carried) {
+    recent_octets_ -= recent_.front()->octets.size();
+    recent_.pop_front();
+  }
+  std::erase_if(recent_requests_, [&](const auto& entry) { return entry.second <= carried; });
+}
+
+template <class Visit>
+void SqliteJournal::visit_recent(const Id& request, Visit&& visit) const {
+  const auto look = [&](const Entry& entry) {
+    if (entry.request == request) visit(entry);
+  };
+  for (const BatchPointer& batch : recent_) visit_entries(batch->octets, look);
+  visit_entries(open_, look);
+}
+
+bool SqliteJournal::knows(const Id& request) {
+  let_go();
+  if (recent_requests_.contains(request)) return true;
+  if (!known_ids_.may_contain(request)) return false;
+  return reading([&] { return reader_->knows(request); });
+}
+
+std::optional<Record> SqliteJournal::find(const Id& request) {
+  let_go();
+  auto record = reading([&] { return reader_->find(request); });
+  visit_recent(request, [&](const Entry& entry) {
+    if (entry.kind == Entry::Kind::kRequest) {
+      if (!record) record.emplace(Record{.request = decoded<msg::PlanRequest>(entry), .received = entry.number});
+      return;
+    }
+    if (!record) return;
+    if (entry.kind == Entry::Kind::kStep)
+      record->steps = std::max(record->steps, static_cast<std::uint32_t>(entry.number + 1));
+    else if (entry.kind == Entry::Kind::kScene)
+      record->scene = std::move(decoded<msg::PlanEvent>(entry).scene());
+    else
+      record->final_event = decoded<msg::PlanEvent>(entry);
+  });
+  return record;
+}
+
+std::vector<Bytes> SqliteJournal::steps(const Id& request, std::uint32_t from) {
+  let_go();
+  auto steps = reading([&] { return reader_->steps(request, from); });
+  visit_recent(request, [&](const Entry& entry) {
+    if (entry.kind == Entry::Kind::kStep && entry.number == static_cast<std::int64_t>(from + steps.size()))
+      steps.emplace_back(entry.body.begin(), entry.body.end());
+  });
+  return steps;
+}
+
+std::vector<Record> SqliteJournal::unfinished() {
+  commit();
+  if (!carrier_->wait_carried(last_number_)) throw JournalError(carrier_->trouble());
+  return reading([&] { return reader_->unfinished(); });
 }
 
 bool SqliteJournal::forget_before(Stamp stamp) {
-  constexpr std::int64_t kAtOnce = 50;
-  return writing([&] {
-    std::vector<Row> rows;
-    {
-      const sqlite::Reset reset(sql_.old);
-      sql_.old.bind(1, kAtOnce);
-      while (sql_.old.step())
-        if (sql_.old.integer(1) < stamp) rows.push_back(sql_.old.integer(0));
-    }
-    for (const Row row : rows) {
-      sql_.forget_steps.bind(1, row).run();
-      sql_.forget_scene.bind(1, row).run();
-      sql_.forget_ending.bind(1, row).run();
-      sql_.forget_request.bind(1, row).run();
-    }
-    return rows.size() == static_cast<std::size_t>(kAtOnce);
-  });
+  carrier_->forget_before(stamp);
+  return false;
 }
 
 }  // namespace foothold::server

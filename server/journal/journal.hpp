@@ -1,32 +1,40 @@
-// The journal in SQLite: accepted requests, their steps and final states, and the server's id. Survives kill -9 at any moment with
-// everything that was committed.
+// The journal on disk: what was committed survives kill -9 at any moment.
 //
-// One transaction for each commit(). Write-ahead log, synchronous=NORMAL: a commit reaches the operating system, so it survives the
-// end of this process; after a power failure the last moments may be missing, never the consistency. No fsync on the loop: the log
-// is carried over into the database by a thread of its own (checkpoints.hpp).
+//   commit() -> log (one write) ............ durable; the loop goes on
+//                 `-> carrier's thread -> SQLite, one transaction for what gathered in 20 ms
 //
-// Requests have integer row numbers. Steps lie in the order of their arrival, so that steps of many plans fill few pages; a small
-// index leads from (request, number) to them.
+// Reads look into SQLite and, over that, into the batches that are still on their way. At start the log is replayed into SQLite;
+// entries that are there already change nothing. After a loss of power the last moments may be missing, never the consistency.
+//
+// Measured (bench_journal): a commit of one request, step or end holds the loop up for 1.7 us (p50); a transaction of SQLite for
+// each took 26 us, and the disk now and then 5 ms.
 #pragma once
 
+#include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
 
 #include "jobs/ports.hpp"
-#include "journal/checkpoints.hpp"
-#include "sqlite/sqlite.hpp"
+#include "journal/carrier.hpp"
+#include "journal/entry.hpp"
+#include "journal/known_ids.hpp"
+#include "journal/log.hpp"
+#include "journal/store.hpp"
 
 namespace foothold::server {
 
 class SqliteJournal final : public Journal {
  public:
-  // Opens or creates `path`. Throws JournalError: not a journal of foothold, of another schema version, damaged, not writable; the
-  // message says what to do.
+  // Opens or creates `path` and its log `<path>-log.N`. Throws JournalError, see Store.
   explicit SqliteJournal(const std::string& path);
+  ~SqliteJournal() override;
 
   // Made when the journal was, the same for ever.
-  const Id& server_id() const { return server_id_; }
+  const Id& server_id() const { return reader_->server_id(); }
+  // Why the database takes nothing from the log at present; empty if it does.
+  std::string trouble() const { return carrier_->trouble(); }
 
   void add_request(const msg::PlanRequest& request, Stamp received) override;
   void add_step(const Id& request, std::uint32_t index, const Bytes& step) override;
@@ -37,40 +45,28 @@ class SqliteJournal final : public Journal {
   std::optional<Record> find(const Id& request) override;
   std::vector<Bytes> steps(const Id& request, std::uint32_t from) override;
   std::vector<Record> unfinished() override;
+  // Happens little by little in the carrier's thread, so that there is never more to commit: false.
   bool forget_before(Stamp stamp) override;
 
-  static constexpr int kSchemaVersion = 1;
-
  private:
-  using Row = std::int64_t;
-  struct Statements {
-    sqlite::Statement begin, commit, add_request, add_unfinished, add_step, set_scene, end_unfinished, add_ending;
-    sqlite::Statement row_of, request, ending, scene, last_step, steps, unfinished;
-    sqlite::Statement old, forget_steps, forget_scene, forget_ending, forget_request;
-  };
+  void replay(Store& store);
+  void let_go();
+  // Calls `visit` for the entries of this request that the database may not hold yet, in order.
+  template <class Visit>
+  void visit_recent(const Id& request, Visit&& visit) const;
 
-  void open();
-  void create();
-  void check_file();
-  void prepare();
-  void keep_log_short(int pages);
-  std::optional<Row> row_of(const Id& request);
-  Row row_for_writing(const Id& request);
-  Record record(Row row);
-  // guarded.hpp: both turn SQLite's errors into JournalErrors.
-  template <class Work>
-  auto writing(Work&& work) -> decltype(work());
-  template <class Work>
-  auto reading(Work&& work) -> decltype(work());
+  Log log_;
+  std::unique_ptr<Store> reader_;
+  std::unique_ptr<Carrier> carrier_;
+  KnownIds known_ids_;
 
-  sqlite::Database database_;
-  Statements sql_;
-  Id server_id_{};
-  std::unordered_map<Id, Row, msg::IdHash> rows_;  // of unfinished requests
+  Bytes open_;  // the batch that is not committed
+  std::vector<Id> open_requests_;
+  std::deque<BatchPointer> recent_;  // committed, perhaps not yet carried
+  std::size_t recent_octets_ = 0;
+  std::uint64_t last_number_ = 0;
+  std::unordered_map<Id, std::uint64_t, msg::IdHash> recent_requests_;  // to the batch that holds their receipt
   Bytes buffer_;
-  bool open_ = false;                // a transaction
-  std::optional<std::string> lost_;  // why the open transaction is no more, if nobody was told yet
-  std::optional<Checkpoints> checkpoints_;
 };
 
 }  // namespace foothold::server
