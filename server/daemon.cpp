@@ -13,6 +13,7 @@ namespace {
 
 constexpr auto kBeat = std::chrono::milliseconds(250);
 constexpr auto kRetry = std::chrono::milliseconds(2);
+constexpr auto kPatience = std::chrono::microseconds(200);
 constexpr auto kComplaints = std::chrono::seconds(10);
 
 }  // namespace
@@ -28,6 +29,7 @@ Daemon::Daemon(boost::asio::io_context& loop, ServerConfig config, std::vector<R
       workers_(loop, {.program = config_.worker, .limits = config_.workers}, robots_),
       signals_(loop, SIGTERM, SIGINT),
       timer_(loop),
+      batch_timer_(loop),
       beat_timer_(loop),
       retry_timer_(loop),
       stop_timer_(loop) {
@@ -94,11 +96,22 @@ void Daemon::take(ClientMessage message) {
     scenes_.take(std::get<msg::SceneChunk>(message));
 }
 
-// The batch ends behind what is ready to be handled now: one commit for all of it.
+// The batch ends behind what is ready to be handled now: one commit for all of it. If all of it can wait, it waits for the first
+// word of a worker, but not for long.
 void Daemon::batch_soon() {
   if (batch_posted_ || !jobs_) return;
-  batch_posted_ = true;
-  boost::asio::post(loop_, [this] { end_batch(); });
+  if (jobs_->urgent()) {
+    batch_posted_ = true;
+    boost::asio::post(loop_, [this] { end_batch(); });
+    return;
+  }
+  if (batch_waits_) return;
+  batch_waits_ = true;
+  batch_timer_.expires_after(kPatience);
+  batch_timer_.async_wait([this](const boost::system::error_code& error) {
+    batch_waits_ = false;
+    if (!error && !batch_posted_ && jobs_) end_batch();
+  });
 }
 
 void Daemon::end_batch() {
@@ -158,7 +171,8 @@ void Daemon::beat() {
     complained_ = clock_.now();
     partitions_->sweep();
     if (const std::string complaint = inbox_->take_complaint(); !complaint.empty()) spdlog::warn("{}", complaint);
-    if (const std::string trouble = journal_.trouble(); !trouble.empty()) spdlog::error("the log waits for the database: {}", trouble);
+    if (const std::string trouble = journal_.trouble(); !trouble.empty())
+      spdlog::error("the log waits for the database: {}", trouble);
   }
   service::alive();
   beat_timer_.expires_after(kBeat);

@@ -81,6 +81,9 @@ class Jobs final : public RunEvents {
 
   // Ends the batch: commit, then tell.
   void settle();
+  // False if the batch holds nothing but receipts of requests that have just gone to their workers. It may wait a moment then: what
+  // the worker says can go with it, in one commit and one burst.
+  bool urgent() const { return urgent_; }
 
   Load load() const { return {queue_.size(), runs_.size()}; }
   bool stopping() const { return stopping_; }
@@ -169,6 +172,7 @@ class Jobs final : public RunEvents {
   std::set<std::pair<Time, Id>> alarms_;
 
   std::vector<Outgoing> outgoing_;
+  bool urgent_ = false;
   std::vector<Id> touched_;           // what the running batch writes of
   std::optional<std::string> fault_;  // why the running batch cannot be stored
   bool storage_works_ = true;

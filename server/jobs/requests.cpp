@@ -16,6 +16,7 @@ Duration seconds(double s) { return std::chrono::duration_cast<Duration>(std::ch
 }  // namespace
 
 void Jobs::ask(const Id& request, const Id& client, std::optional<std::uint32_t> from_step) {
+  urgent_ = true;
   outgoing_.emplace_back(Asked{request, client, from_step});
 }
 

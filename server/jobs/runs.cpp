@@ -46,7 +46,10 @@ void Jobs::start(Job& job) {
   set_alarm(job, job.deadline);
   job.last = change_event(speaker_, job.request, msg::RUNNING, ports_.clock.stamp(), job.steps, {});
   job.told = false;
-  if (!job.request.shapes()) tell_running(job);
+  if (job.request.shapes()) return;
+  const bool urgent = urgent_;
+  tell_running(job);
+  urgent_ = urgent;
 }
 
 // With shapes the event waits for the scene's, which come before the first step.
@@ -70,6 +73,7 @@ void Jobs::on_run_scene(Run run, std::vector<msg::Shape> shapes) {
 void Jobs::on_run_step(Run run, std::uint32_t index, Bytes step) {
   Job* job = job_of(run);
   if (job == nullptr || job->ending) return;  // its final state is decided: no step after that
+  urgent_ = true;
   tell_running(*job);
   if (index != job->seen) {
     abandon(*job);

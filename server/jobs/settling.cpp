@@ -23,6 +23,7 @@ Jobs::Jobs(JobsOptions options, Ports ports, Complain complain)
       forget_again_(ports.clock.now() + kForgetAgain) {}
 
 void Jobs::push(const Id& request, msg::PlanEvent event) {
+  urgent_ = true;
   outgoing_.emplace_back(Told{request, std::make_unique<msg::PlanEvent>(std::move(event))});
 }
 
@@ -110,16 +111,18 @@ void Jobs::give_up(Job& job) {
   push(job.request.id(), job.last);
 }
 
+// Steps go first: they are what a client waits for, and the order between the two topics is free.
 void Jobs::flush() {
-  for (Outgoing& out : outgoing_) {
+  for (const Outgoing& out : outgoing_)
+    if (const auto* sent = std::get_if<Sent>(&out)) ports_.outbox.step(sent->client, sent->step);
+  for (const Outgoing& out : outgoing_) {
     if (const auto* told = std::get_if<Told>(&out))
       ports_.outbox.event(told->event->client(), *told->event);
-    else if (const auto* sent = std::get_if<Sent>(&out))
-      ports_.outbox.step(sent->client, sent->step);
-    else
-      answer(std::get<Asked>(out));
+    else if (const auto* asked = std::get_if<Asked>(&out))
+      answer(*asked);
   }
   outgoing_.clear();
+  urgent_ = false;
 }
 
 void Jobs::answer(const Asked& asked) {

@@ -102,7 +102,7 @@ const std::vector<Case>& cases() {
       {"IntegerEmpty", parameter("cycles", ""), msg::MALFORMED, "parameters.cycles"},
       {"IntegerTooLarge", parameter("cycles", "31"), msg::PARAMETER_OUT_OF_RANGE, "parameters.cycles"},
       {"IntegerTooSmall", parameter("cycles", "0"), msg::PARAMETER_OUT_OF_RANGE, "parameters.cycles"},
-      {"IntegerBeyond64Bits", parameter("cycles", "99999999999999999999"), msg::MALFORMED, "parameters.cycles"},
+      {"IntegerBeyond64Bits", parameter("cycles", "99999999999999999999"), msg::PARAMETER_OUT_OF_RANGE, "parameters.cycles"},
       {"RealNotANumber", parameter("gain", "much"), msg::MALFORMED, "parameters.gain"},
       {"RealOutOfRange", parameter("gain", "1.0000001"), msg::PARAMETER_OUT_OF_RANGE, "parameters.gain"},
       {"RealNan", parameter("gain", "nan"), msg::NOT_FINITE, "parameters.gain"},

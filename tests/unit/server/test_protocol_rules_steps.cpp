@@ -71,6 +71,25 @@ TEST(P16, NothingIsToldBeforeItIsCommitted) {
   EXPECT_EQ(world.outbox.messages.size(), 3U);
 }
 
+TEST(P16, OnlyAReceiptThatAWorkerHasAlreadyMayWaitForTheWorkersFirstWord) {
+  World world;
+  const auto request = good_request();
+  world.jobs->request(request);
+  EXPECT_FALSE(world.jobs->urgent());
+  world.jobs->on_run_step(1, 0, step_bytes(request.id(), 0, "a step"));
+  EXPECT_TRUE(world.jobs->urgent());
+  world.jobs->settle();
+  EXPECT_FALSE(world.jobs->urgent());
+  for (const char* name : {"second", "waits"}) world.jobs->request(good_request(name));
+  EXPECT_TRUE(world.jobs->urgent()) << "QUEUED is told at once";
+  world.jobs->settle();
+  world.cancel(msg::id_of("waits"));
+  msg::StateQuery query;
+  query.request(request.id());
+  world.jobs->query(query);
+  EXPECT_TRUE(world.jobs->urgent());
+}
+
 TEST(P17, AQueryIsAnsweredWithTheCurrentEventAndTheStepsFromThereOn) {
   World world;
   const auto request = good_request();
