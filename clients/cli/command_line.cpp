@@ -250,12 +250,12 @@ std::function<Exit()> parse(int count, char** words) {
   all->app.get_formatter()->column_width(34);
   all->app.fallthrough();
   all->app.require_subcommand(1);
-  all->app.footer(exit_codes());
   declare_common(*all);
   declare_planning(*all);
   declare_asking(*all);
   declare_looking(*all);
   declare_generate(*all);
+  all->app.footer(exit_codes());  // last: commands take over what their parent has when they are made
   try {
     all->app.parse(count, words);
   } catch (const CLI::Success& asked_for_help) {

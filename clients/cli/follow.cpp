@@ -25,8 +25,9 @@ class Follower {
 
   msg::PlanEvent run() {
     while (!plan_.ended() || plan_.steps_ready() > shown_) {
-      if (const msg::Step* step = plan_.next(kLook)) show(*step);
+      const msg::Step* step = plan_.next(kLook);
       look_at_state();
+      if (step != nullptr) show(*step);
       look_at_server();
       look_at_interrupt();
       if (since(begin_) > following_.patience && !plan_.ended()) give_up("did not end in time");
@@ -40,7 +41,7 @@ class Follower {
     if (common_.json)
       std::puts(client::to_json_line(step).c_str());
     else if (following_.show_steps)
-      print_step(step, since(plan_.times().submitted), following_.verbose);
+      print_step(step, since(plan_.times().submitted), following_.verbose, label_width_);
     std::fflush(stdout);
   }
 
@@ -90,6 +91,7 @@ class Follower {
   msg::State state_ = msg::UNKNOWN;
   std::optional<Clock::time_point> lost_;
   bool cancelled_ = false;
+  std::size_t label_width_ = 0;
 };
 
 }  // namespace

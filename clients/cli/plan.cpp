@@ -93,8 +93,7 @@ Exit run_plan(const Common& common, const PlanOptions& options) {
     std::puts(client::to_json_line(end).c_str());
     return exit_of(end.state());
   }
-  print_end(end);
-  if (!end.summary().plugin().empty()) print_table({{"again", again(options, file.request, end.summary())}}, "  ");
+  print_end(end, end.summary().plugin().empty() ? "" : again(options, file.request, end.summary()));
   if (!options.output.empty()) std::printf("written to %s\n", options.output.c_str());
   return exit_of(end.state());
 }

@@ -71,7 +71,8 @@ std::string words(const Json& json) {
 std::string range(const Json& parameter) {
   if (parameter.contains("choices")) return words(parameter["choices"]);
   if (!parameter.contains("minimum")) return words(parameter.value("kind", Json("")));
-  return words(parameter["minimum"]) + " to " + words(parameter["maximum"]) + " " + words(parameter.value("unit", Json("")));
+  const std::string unit = words(parameter.value("unit", Json("")));
+  return words(parameter["minimum"]) + " to " + words(parameter["maximum"]) + (unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
 void print_info(const Json& info) {

@@ -20,7 +20,8 @@ std::string vector(const msg::Vector3& v) {
   return format("(%.4f, %.4f, %.4f) m", zero(v.x()), zero(v.y()), zero(v.z()));
 }
 
-std::string angle(double value) { return format("%.4g", std::abs(value) < 1e-3 ? 0.0 : value); }
+// To a hundredth of a degree.
+std::string angle(double value) { return number(std::round(value * 100.0) / 100.0); }
 
 std::string list(const std::vector<double>& values) {
   std::string text;
@@ -63,10 +64,13 @@ std::string describe(const msg::Pose& pose) {
   return vector(pose.position()) + ", rpy " + angle(roll) + " " + angle(pitch) + " " + angle(yaw) + " deg";
 }
 
-void print_step(const msg::Step& step, double seconds, bool verbose) {
+void print_step(const msg::Step& step, double seconds, bool verbose, std::size_t& label_width) {
   std::string line = format("%4u  ", step.index());
   if (seconds >= 0.0) line += coloured(Colour::kDim, format("%8s", duration(seconds).c_str())) + "  ";
-  line += printable(step.label());
+  std::string label = printable(step.label());
+  label_width = std::max(label_width, label.size());
+  label.resize(label_width, ' ');
+  line += label;
   for (const msg::Contact& contact : step.placed()) line += "  " + printable(contact.limb()) + " at " + describe(contact.frame());
   if (step.placed().empty()) line += "  base " + describe(step.base());
   std::puts(line.c_str());
@@ -84,7 +88,7 @@ void print_step(const msg::Step& step, double seconds, bool verbose) {
   print_table(rows, "        ");
 }
 
-void print_end(const msg::PlanEvent& event) {
+void print_end(const msg::PlanEvent& event, const std::string& again) {
   const msg::Summary& summary = event.summary();
   const bool ran = !summary.plugin().empty();
   std::string times;
@@ -96,10 +100,12 @@ void print_end(const msg::PlanEvent& event) {
   if (!ran) return;
   std::vector<std::vector<std::string>> rows;
   if (event.state() == msg::SUCCEEDED || event.state() == msg::PARTIAL) rows.push_back({"cost", goodness(summary)});
-  for (const msg::Margin& figure : summary.figures()) rows.push_back({"", margin(figure)});
+  for (const msg::Margin& figure : summary.figures())
+    rows.push_back({&figure == &summary.figures()[0] ? "figures" : "", margin(figure)});
   rows.push_back({"planner", printable(summary.plugin()) + " " + printable(summary.plugin_version()) + ", server " +
                                  printable(summary.server_version())});
   rows.push_back({"scene", scene(summary)});
+  if (!again.empty()) rows.push_back({"again", again});
   print_table(rows, "  ");
 }
 

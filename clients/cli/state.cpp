@@ -11,12 +11,13 @@ Exit run_state(const Common& common, const StateOptions& options) {
   const msg::Id id = parse_id(options.id);
   const Connection connection = connect(common);
   const auto [event, record] = fetch(connection, common, id, options.steps || !options.output.empty());
+  std::size_t label_width = 0;
   if (options.steps)
     for (const msg::Step& step : record.steps) {
       if (common.json)
         std::puts(client::to_json_line(step).c_str());
       else
-        print_step(step, -1.0, options.verbose);
+        print_step(step, -1.0, options.verbose, label_width);
     }
   if (!options.output.empty()) client::write_plan_file(options.output, record);
   if (common.json)

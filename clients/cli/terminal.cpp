@@ -113,7 +113,9 @@ void print(const Complaint& complaint) {
 }
 
 void print(const msg::Error& error, std::FILE* out) {
-  const std::string field = error.field().empty() ? "" : printable(error.field()) + ": ";
+  // Many messages begin with the field themselves.
+  const bool named = error.field().empty() || error.message().starts_with(error.field());
+  const std::string field = named ? "" : printable(error.field()) + ": ";
   std::fprintf(out, "%s: %s%s\n", printable(error.name()).c_str(), field.c_str(), printable(error.message()).c_str());
   if (error.retry_after() > 0.0) std::fprintf(out, "  try again in %s\n", duration(error.retry_after()).c_str());
   if (!error.hint().empty()) std::fprintf(out, "  %s\n", printable(error.hint()).c_str());
