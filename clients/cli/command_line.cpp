@@ -245,6 +245,7 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
 
 std::function<Exit()> parse(int count, char** words) {
   const auto all = std::make_shared<Everything>();
+  all->app.option_defaults()->take_last();  // an alias can set what a user sets again
   all->app.name("foothold");
   all->app.set_version_flag("--version", std::string("foothold ") + kVersion, "Print the version and exit");
   all->app.get_formatter()->column_width(34);

@@ -40,6 +40,7 @@ msg::Id parse_id(const std::string& text) {
 
 Connection connect(const Common& common) {
   Connection connection;
+  watch_interrupts();
   try {
     connection.client = std::make_unique<client::Client>(
         transport::BusOptions{.vendor = common.dds, .domain = common.domain, .network_config = common.network});

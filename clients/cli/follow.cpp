@@ -32,6 +32,7 @@ class Follower {
       look_at_interrupt();
       if (since(begin_) > following_.patience && !plan_.ended()) give_up("did not end in time");
     }
+    if (lost_ && !common_.json) std::puts("the server is back");
     return plan_.wait(0.0).value();
   }
 
