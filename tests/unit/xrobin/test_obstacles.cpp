@@ -175,12 +175,22 @@ TEST_F(Scenes, RefusesScenesThatAreNoPlanes) {
   EXPECT_THROW(planner().prepare({"x", "", "stl", "/tmp/x.stl"}, parameters()), InvalidScene);
 }
 
-TEST_F(Scenes, DrawsItsObstacles) {
-  const std::vector<Shape> shapes = planner().prepare(scene("doorway"), parameters())->shapes();
-  ASSERT_EQ(shapes.size(), 2u);
-  EXPECT_EQ(shapes[0].kind, Shape::Kind::kPolygon);
-  EXPECT_EQ(shapes[0].body, "left wall");
-  EXPECT_EQ(shapes[0].vertices.size(), 4u);
+// A flat outline would lie under the robot's bodies, and none of them would be seen to cut it.
+TEST_F(Scenes, DrawsItsObstaclesAsWallsAndARoofAsHighAsTheRobot) {
+  const auto prepared = planner().prepare(scene("doorway"), parameters());
+  const std::vector<Shape> shapes = prepared->shapes();
+  ASSERT_EQ(shapes.size(), 10u);
+  double highest = 0.0;
+  for (const Shape& body : planner().shapes(planner().start(request_to(0.0, 0.55), parameters(), *prepared)))
+    highest =
+        std::max(highest, body.pose.translation().z() + (body.kind == Shape::Kind::kBox ? body.size.z() / 2.0 : body.size.x()));
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    EXPECT_EQ(shapes[i].kind, Shape::Kind::kPolygon);
+    EXPECT_EQ(shapes[i].body, i < 5 ? "left wall" : "right wall");
+    ASSERT_EQ(shapes[i].vertices.size(), 4u);
+    const bool roof = i % 5 == 4;
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(shapes[i].vertices[k].z(), roof || k >= 2 ? highest : 0.0, 1e-12);
+  }
 }
 
 TEST_F(Scenes, StopsAmongObstacles) {
