@@ -1,32 +1,16 @@
 // Every message type with random contents, on all vendor pairs: what arrives is what was written.
 #include <foothold.h>
 
-#include <algorithm>
-
 #include "foothold/msg/cdr.hpp"
 #include "pair.hpp"
-#include "random_message.hpp"
+#include "wire_message.hpp"
 
 namespace foothold::interop {
 namespace {
 
-using test::RandomContents;
 using transport::open_bus;
 using transport::Topic;
 using transport::Writer;
-
-// Mostly small; every tenth long; pieces of a scene of any size that is allowed.
-template <class Message>
-Message random_message(std::uint64_t seed) {
-  const bool is_long = seed % 10 == 0;
-  auto message = RandomContents(seed, {.items = is_long ? 20U : 4U, .characters = is_long ? 500U : 12U}).make<Message>();
-  if constexpr (std::is_same_v<Message, msg::SceneChunk>) {
-    std::mt19937_64 random(seed);
-    message.data().resize(is_long ? 65536 : random() % 65536);
-    for (std::uint8_t& octet : message.data()) octet = static_cast<std::uint8_t>(random());
-  }
-  return message;
-}
 
 class Messages : public testing::TestWithParam<Pair> {
  protected:
@@ -58,14 +42,9 @@ class Messages : public testing::TestWithParam<Pair> {
       arrived.push_back(std::move(*back));
     }
     ASSERT_EQ(arrived.size(), written.size());
-    if constexpr (requires { written.back().key(); }) {
-      // Within a keyed topic the order holds for each key only.
-      for (std::size_t begin = 0; begin < written.size(); begin += kRound) {
-        for (auto* list : {&written, &arrived}) {
-          std::sort(list->begin() + static_cast<std::ptrdiff_t>(begin), list->begin() + static_cast<std::ptrdiff_t>(begin + kRound),
-                    [](const Message& a, const Message& b) { return a.key() < b.key(); });
-        }
-      }
+    for (std::size_t begin = 0; begin < written.size(); begin += kRound) {
+      sort_by_key(std::span(written).subspan(begin, kRound));
+      sort_by_key(std::span(arrived).subspan(begin, kRound));
     }
     for (std::size_t i = 0; i < written.size(); ++i) ASSERT_TRUE(arrived[i] == written[i]) << "message " << i;
     EXPECT_EQ(reader.finish(), 0);

@@ -32,8 +32,9 @@ Qos writer_qos(const TopicTraits& topic) {
 
 Qos reader_qos(const TopicTraits& topic) {
   Qos qos = common_qos(topic);
-  // The listener takes samples at once. Instances are not bounded: beyond a bound Cyclone stops receiving until one of them goes.
-  dds_qset_resource_limits(qos.get(), topic.history, DDS_LENGTH_UNLIMITED, topic.keep_last_one ? 1 : topic.history);
+  // No bounds: the listener takes samples at once. At a bound (the history that a new reader in the writer's process is given, or many
+  // keys) Cyclone would stop receiving.
+  dds_qset_resource_limits(qos.get(), DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
   return qos;
 }
 

@@ -56,6 +56,10 @@ dds::DataWriterQos writer_qos(const TopicTraits& topic) {
 dds::DataReaderQos reader_qos(const TopicTraits& topic) {
   dds::DataReaderQos qos;
   set_common(topic, qos);
+  if (topic.keyed) {  // beyond a bound on keys Fast DDS acknowledges samples and drops them; 0: none
+    qos.resource_limits().max_samples = 0;
+    qos.resource_limits().max_instances = 0;
+  }
   auto& times = qos.reliable_reader_qos().times;
   times.initialAcknackDelay = kKnock;
   times.heartbeatResponseDelay = kPrompt;

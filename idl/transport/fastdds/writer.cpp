@@ -50,6 +50,8 @@ class FastWriter final : public Writer {
       window_octets_ += message.size();
       return Result::kSent;
     }
+    // The newest sample of each key replaces the one before, so that only the number of keys can be too large.
+    if (topic_.keyed) return failed("refused; more than " + std::to_string(topic_.history) + " keys?");
     if (code == ReturnCode_t::RETCODE_TIMEOUT || code == ReturnCode_t::RETCODE_OUT_OF_RESOURCES) return Result::kFull;
     return failed("DataWriter::write gave return code " + std::to_string(code()));
   }
