@@ -6,7 +6,7 @@
 #include "foothold/msg/errors.hpp"
 #include "jobs/admission/admission.hpp"
 #include "jobs/admission/limits.hpp"
-#include "jobs/admission/text.hpp"
+#include "text/text.hpp"
 
 namespace foothold::server {
 

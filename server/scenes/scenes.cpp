@@ -8,7 +8,7 @@
 #include "foothold/msg/errors.hpp"
 #include "jobs/admission/admission.hpp"
 #include "jobs/admission/limits.hpp"
-#include "jobs/admission/text.hpp"
+#include "text/text.hpp"
 #include "scenes/keeping.hpp"
 
 namespace foothold::server {

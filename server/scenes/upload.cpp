@@ -11,7 +11,7 @@
 
 #include "jobs/admission/admission.hpp"
 #include "jobs/admission/limits.hpp"
-#include "jobs/admission/text.hpp"
+#include "text/text.hpp"
 
 namespace foothold::server {
 namespace {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/text.hpp"
+
 namespace foothold::server {
 namespace {
 
@@ -66,6 +68,11 @@ bool finite(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
 }
 
+std::optional<std::string> unsound_text(const std::string& path, const std::string& text) {
+  if (is_clean_text(text)) return std::nullopt;
+  return path + " must be UTF-8 without control characters, is " + quoted(text);
+}
+
 std::optional<std::string> unsound_pose(const std::string& path, const Isometry3d& pose) {
   if (!pose.matrix().allFinite()) return path + " holds a number that is not finite";
   const double error = (pose.linear().transpose() * pose.linear() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
@@ -74,8 +81,12 @@ std::optional<std::string> unsound_pose(const std::string& path, const Isometry3
 }
 
 std::optional<std::string> unsound_contacts(const std::string& path, const std::vector<Contact>& contacts) {
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    if (auto fault = unsound_pose(path + "[" + std::to_string(i) + "].frame", contacts[i].frame)) return fault;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const std::string here = path + "[" + std::to_string(i) + "]";
+    if (auto fault = unsound_pose(here + ".frame", contacts[i].frame)) return fault;
+    if (auto fault = unsound_text(here + ".limb", contacts[i].limb)) return fault;
+    if (auto fault = unsound_text(here + ".face", contacts[i].face)) return fault;
+  }
   return std::nullopt;
 }
 
@@ -143,6 +154,11 @@ std::vector<msg::Margin> to_message(const std::vector<Margin>& margins) {
 
 std::optional<std::string> unsound_part(const Step& step) {
   if (!std::isfinite(step.cost)) return "cost is not finite";
+  if (auto fault = unsound_text("label", step.label)) return fault;
+  for (const Attribute& attribute : step.attributes) {
+    if (auto fault = unsound_text("an attribute's name", attribute.name)) return fault;
+    if (auto fault = unsound_text("attribute " + attribute.name, attribute.value)) return fault;
+  }
   if (!finite(step.after.joints)) return "joints hold a number that is not finite";
   if (auto fault = unsound_pose("base", step.after.base)) return fault;
   if (auto fault = unsound_contacts("placed", step.placed)) return fault;
@@ -158,6 +174,7 @@ std::optional<std::string> unsound_part(const Step& step) {
 
 std::optional<std::string> unsound_part(const std::vector<Shape>& shapes) {
   for (const Shape& shape : shapes) {
+    if (auto fault = unsound_text("a shape's body", shape.body)) return fault;
     const std::string path = "the shape of body '" + shape.body + "'";
     if (shape.kind > Shape::Kind::kPolygon) return path + " is of no known kind";
     if (auto fault = unsound_pose(path, shape.pose)) return fault;

@@ -20,7 +20,8 @@ msg::Step to_message(const Step& step);
 std::vector<msg::Shape> to_message(const std::vector<Shape>& shapes);
 std::vector<msg::Margin> to_message(const std::vector<Margin>& margins);
 
-// What a message must not hold: the path of a number that is not finite or of a rotation that is none, and why. Nothing if sound.
+// What a message must not hold: the path of a number that is not finite, of a rotation that is none or of a text that is not clean,
+// and why. Nothing if sound.
 std::optional<std::string> unsound_part(const Step& step);
 std::optional<std::string> unsound_part(const std::vector<Shape>& shapes);
 

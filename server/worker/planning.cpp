@@ -5,6 +5,7 @@
 #include <new>
 
 #include "foothold/msg/errors.hpp"
+#include "text/text.hpp"
 #include "worker/convert.hpp"
 #include "worker/report.hpp"
 #include "worker/stepper.hpp"
@@ -34,7 +35,7 @@ msg::Error request_error(const InvalidRequest& fault) {
   const std::uint16_t code = field.starts_with("goal")    ? msg::INVALID_GOAL
                              : field.starts_with("start") ? msg::INVALID_START
                                                           : msg::MALFORMED;
-  return msg::make_error(code, fault.what(), field);
+  return msg::make_error(code, cleaned(fault.what()), cleaned(field));
 }
 
 frame::Report stopped() {
@@ -127,12 +128,12 @@ frame::Report Planning::run(std::uint64_t run, const frame::Plan& plan, std::sto
   } catch (const InvalidRequest& fault) {
     report = failed(request_error(fault));
   } catch (const InvalidScene& fault) {
-    report = failed(msg::make_error(msg::INVALID_SCENE, fault.what(), fault.field()));
+    report = failed(msg::make_error(msg::INVALID_SCENE, cleaned(fault.what()), cleaned(fault.field())));
   } catch (const std::bad_alloc&) {
     ballast_.reset();
     report = failed(msg::make_error(msg::OUT_OF_MEMORY, std::string("no memory left in ") + attempt.where));
   } catch (const std::exception& fault) {
-    report = failed(msg::make_error(msg::PLUGIN_THREW, std::string(attempt.where) + " threw: " + fault.what()));
+    report = failed(msg::make_error(msg::PLUGIN_THREW, std::string(attempt.where) + " threw: " + cleaned(fault.what())));
   } catch (...) {
     report = failed(msg::make_error(msg::PLUGIN_THREW, std::string(attempt.where) + " threw something that is no std::exception"));
   }

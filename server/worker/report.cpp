@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "foothold/msg/errors.hpp"
+#include "text/text.hpp"
 #include "worker/convert.hpp"
 
 namespace foothold::server {
@@ -31,9 +32,12 @@ std::optional<std::string> costs_contradict(const PlanReport& report) {
     return "claims to be optimal with " + pair_of("cost", report.cost, "lower bound", report.lower_bound);
   if (report.outcome == Outcome::kReached && report.lower_bound > report.cost + slack)
     return "reports a goal reached below what it proved: " + pair_of("cost", report.cost, "lower bound", report.lower_bound);
-  for (const Margin& figure : report.figures)
+  for (const Margin& figure : report.figures) {
     if (!std::isfinite(figure.value) || !std::isfinite(figure.least))
-      return "reports the figure '" + figure.name + "', which is not finite";
+      return "reports the figure " + quoted(figure.name) + ", which is not finite";
+    if (!is_clean_text(figure.name) || !is_clean_text(figure.unit))
+      return "reports a figure whose name or unit is no clean text: " + quoted(figure.name);
+  }
   return std::nullopt;
 }
 
@@ -50,12 +54,12 @@ std::optional<std::string> error_contradicts(const PlanReport& report) {
 
 msg::Error error_of(const PlanReport& report) {
   const std::uint16_t code = report.own_error != 0 ? report.own_error : static_cast<std::uint16_t>(report.error);
-  msg::Error error = msg::make_error(code, report.message, report.field);
+  msg::Error error = msg::make_error(code, cleaned(report.message), cleaned(report.field));
   if (report.own_error != 0) {
-    error.name(report.error_name.empty() ? "PLUGIN_" + std::to_string(code) : report.error_name);
+    error.name(report.error_name.empty() ? "PLUGIN_" + std::to_string(code) : cleaned(report.error_name));
     error.stage("search");
   }
-  if (!report.hint.empty()) error.hint(report.hint);
+  if (!report.hint.empty()) error.hint(cleaned(report.hint));
   return error;
 }
 
@@ -103,9 +107,9 @@ frame::Report to_report(const PlanReport& report, bool ended) {
   msg::Summary& summary = out.summary();
   summary.cost(report.cost);
   summary.lower_bound(report.lower_bound);
-  summary.cost_unit(report.cost_unit);
+  summary.cost_unit(cleaned(report.cost_unit));
   summary.optimal(report.optimal);
-  summary.objective(report.objective);
+  summary.objective(cleaned(report.objective));
   summary.figures(to_message(report.figures));
   return out;
 }

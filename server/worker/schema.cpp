@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 
+#include "text/text.hpp"
 #include "worker/loader.hpp"
 
 namespace foothold::server {
@@ -22,7 +23,10 @@ std::span<const ParameterSpec> specs_of(const PlannerInfo& info) { return {info.
 
 void check_spec(const PlannerInfo& info, const ParameterSpec& spec) {
   for (const char* text : {spec.name, spec.unit, spec.default_value, spec.choices, spec.description})
-    if (text == nullptr) refuse(info, "declares a parameter with a null pointer for a text");
+    if (text == nullptr)
+      refuse(info, "declares a parameter with a null pointer for a text");
+    else if (!is_clean_text(text))
+      refuse(info, "declares a parameter with a text that is not UTF-8 without control characters: " + quoted(text));
   const std::string name = "declares parameter '" + std::string(spec.name) + "' ";
   if (*spec.name == '\0') refuse(info, "declares a parameter without a name");
   if (std::string_view(spec.name).size() > kLongestName) refuse(info, name + "with a name of more than 64 octets");
@@ -55,7 +59,10 @@ std::vector<std::string> words_of(std::string_view list) {
 void check_info(const PlannerInfo& info) {
   for (const char* text : {info.name, info.version, info.description, info.joints, info.limbs, info.start_needs, info.goal_needs,
                            info.prepare_parameters})
-    if (text == nullptr) throw PluginRefused("the plugin hands over a null pointer for a text of its PlannerInfo");
+    if (text == nullptr)
+      throw PluginRefused("the plugin hands over a null pointer for a text of its PlannerInfo");
+    else if (!is_clean_text(text))
+      throw PluginRefused("the plugin hands over a text that is not UTF-8 without control characters: " + quoted(text));
   if (*info.name == '\0') throw PluginRefused("the plugin has no name");
   if (*info.version == '\0') refuse(info, "has no version");
   if (info.parameters == nullptr && info.parameter_count != 0) refuse(info, "hands over a null pointer for its parameters");

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "foothold/msg/errors.hpp"
+#include "text/text.hpp"
 #include "worker/confinement.hpp"
 #include "worker/convert.hpp"
 #include "worker/loader.hpp"
@@ -62,7 +63,7 @@ class Session {
  private:
   void refuse(const std::string& reason, const std::string& field) {
     frame::Refused refused;
-    refused.reason(msg::make_error(msg::PLUGIN_REFUSED, reason, field));
+    refused.reason(msg::make_error(msg::PLUGIN_REFUSED, cleaned(reason), cleaned(field)));
     channel_.send(frame::REFUSED, 0, refused);
   }
 

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "foothold/msg/errors.hpp"
+#include "text/text.hpp"
 #include "worker/convert.hpp"
 
 namespace foothold::server {
@@ -25,13 +26,16 @@ bool Stepper::judge(const Step& step, StepVerdict& verdict) {
   if (const auto fault = unsound_part(step)) return refuse(msg::STEP_REFUSED, *fault);
   verdict = planner_.check(step, before_, facts_.parameters, facts_.scene);
   if (!verdict.accepted)
-    return refuse(msg::STEP_REFUSED, verdict.reason.empty() ? "check() refuses it without a reason" : verdict.reason);
-  for (const Margin& margin : verdict.margins)
+    return refuse(msg::STEP_REFUSED, verdict.reason.empty() ? "check() refuses it without a reason" : cleaned(verdict.reason));
+  for (const Margin& margin : verdict.margins) {
+    if (!is_clean_text(margin.name) || !is_clean_text(margin.unit))
+      return refuse(msg::STEP_REFUSED, "check() gives a margin whose name or unit is no clean text: " + quoted(margin.name));
     // Negated, so that a NaN is refused too.
     if (!(margin.value >= margin.least) || !std::isfinite(margin.value) || !std::isfinite(margin.least))
       return refuse(msg::STEP_REFUSED, "check() accepts it although its margin '" + margin.name + "' is " +
                                            std::to_string(margin.value) + " " + margin.unit + ", at least " +
                                            std::to_string(margin.least) + " is demanded");
+  }
   return true;
 }
 
@@ -58,7 +62,7 @@ bool Stepper::emit(Step step) {
   } catch (const std::bad_alloc&) {
     return refuse(msg::OUT_OF_MEMORY, std::string("no memory left in ") + asked);
   } catch (const std::exception& fault) {
-    return refuse(msg::PLUGIN_THREW, std::string(asked) + " threw: " + fault.what());
+    return refuse(msg::PLUGIN_THREW, std::string(asked) + " threw: " + cleaned(fault.what()));
   } catch (...) {
     return refuse(msg::PLUGIN_THREW, std::string(asked) + " threw something that is no std::exception");
   }

@@ -1,6 +1,8 @@
 // A ring of lines.
 #include "workers/last_words.hpp"
 
+#include "text/text.hpp"
+
 namespace foothold::server {
 
 void LastWords::hear(std::string_view text, long second) {
@@ -16,6 +18,7 @@ void LastWords::hear(std::string_view text, long second) {
 }
 
 void LastWords::finish_line(long second) {
+  open_ = cleaned(open_);
   if (second != second_) {
     if (left_out_ > 0) line_("(" + std::to_string(left_out_) + " more lines left out)");
     second_ = second;
@@ -32,8 +35,8 @@ void LastWords::finish_line(long second) {
 
 std::string LastWords::text() const {
   std::string out;
-  for (const std::string& line : kept_) out += (out.empty() ? "" : "\n") + line;
-  if (!open_.empty()) out += (out.empty() ? "" : "\n") + open_;
+  for (const std::string& line : kept_) out += (out.empty() ? "" : " | ") + line;
+  if (!open_.empty()) out += (out.empty() ? "" : " | ") + cleaned(open_);
   return out;
 }
 

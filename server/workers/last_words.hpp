@@ -9,7 +9,7 @@
 
 namespace foothold::server {
 
-// Bounded whatever is printed: long lines are cut, and of a flood only the first lines of each second are handed on.
+// Bounded and clean whatever is printed: long lines are cut, and of a flood only the first lines of each second are handed on.
 class LastWords {
  public:
   static constexpr std::size_t kLines = 24, kLineOctets = 240, kLoggedPerSecond = 50;
@@ -19,7 +19,7 @@ class LastWords {
 
   // `second`: of any steady clock, for the bound on the log.
   void hear(std::string_view text, long second);
-  // The kept lines joined by line feeds, an unfinished one included.
+  // The kept lines joined by " | ", an unfinished one included.
   std::string text() const;
 
  private:

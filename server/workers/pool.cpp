@@ -220,7 +220,7 @@ void Pool::give_up_reload(const msg::Error& reason) {
 }
 
 void Pool::on_report(Worker& worker, Run run, frame::Report report) {
-  health_.proved();
+  if (!report.leave()) health_.proved();
   Member& member = member_of(worker);
   if (member.retiring && worker.phase() == Worker::Phase::kIdle) worker.retire();
   RunEnd end{.state = report.state(), .error = std::move(report.reason()), .summary = std::move(report.summary())};

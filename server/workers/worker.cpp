@@ -104,10 +104,15 @@ void Worker::kill(msg::Error cause, bool crash) {
 }
 
 void Worker::retire() {
+  // The end of the stream is a worker's sign to leave.
+  if (socket_.is_open()) ::shutdown(socket_.native_handle(), SHUT_WR);
+  let_leave();
+}
+
+// From now on its end is no surprise; that it stays would be one.
+void Worker::let_leave() {
   phase_ = Phase::kLeaving;
   may_leave_ = true;
-  // The end of the stream is a worker's sign to leave.
-  ::shutdown(socket_.native_handle(), SHUT_WR);
   timer_.expires_after(kRetireLimit);
   timer_.async_wait([self = shared_from_this()](const auto& error) {
     if (!error && !self->departed_) kill_group(self->process_.pid);
@@ -117,10 +122,11 @@ void Worker::retire() {
 void Worker::check_memory(std::uint64_t bytes) {
   if (departed_ || bytes == 0) return;
   const auto held = resident_memory(process_.pid);
-  if (held && *held > bytes)
-    kill(msg::make_error(msg::OUT_OF_MEMORY,
-                         "the worker holds " + mebibytes(*held) + ", at most " + mebibytes(bytes) + " are allowed"),
-         true);
+  if (!held || *held <= bytes) return;
+  // In a run it was the request that asked for too much; without one it is the planner.
+  kill(msg::make_error(msg::OUT_OF_MEMORY,
+                       "the worker holds " + mebibytes(*held) + ", at most " + mebibytes(bytes) + " are allowed"),
+       phase_ != Phase::kBusy);
 }
 
 void Worker::send(Bytes frame) {
@@ -217,8 +223,7 @@ void Worker::take_first(const Frame& frame) {
     owner_.on_ready(*this, std::move(ready.info()));
   } else {
     auto refused = decoded<frame::Refused>(frame);
-    phase_ = Phase::kLeaving;
-    may_leave_ = true;
+    let_leave();
     owner_.on_refused(*this, std::move(refused.reason()));
   }
 }
@@ -251,8 +256,8 @@ void Worker::take_report(const Frame& frame) {
     throw FrameFault("a report of " + std::to_string(report.summary().steps()) + " steps after " + std::to_string(next_step_));
   const Run run = *run_;
   run_.reset();
-  may_leave_ = report.leave();
-  phase_ = report.leave() || cause_ || dying_ ? Phase::kLeaving : Phase::kIdle;
+  phase_ = cause_ || dying_ ? Phase::kLeaving : Phase::kIdle;
+  if (report.leave()) let_leave();
   owner_.on_report(*this, run, std::move(report));
 }
 
@@ -319,7 +324,7 @@ Departure Worker::departure(const std::optional<ProcessEnd>& end) const {
     out.crash = true;
   }
   if (out.error.code() != msg::NO_ERROR && !last_words_.text().empty())
-    out.error.message(out.error.message() + "; its last words:\n" + last_words_.text());
+    out.error.message(out.error.message() + "; its last words: " + last_words_.text());
   return out;
 }
 

@@ -72,6 +72,7 @@ class Worker : public std::enable_shared_from_this<Worker> {
   void watch_exit();
   bool receive();  // false: nothing more is there
   void lose_channel();
+  void let_leave();
   void take(const Frame& frame);
   void take_first(const Frame& frame);
   void take_of_run(const Frame& frame);

@@ -24,6 +24,7 @@ class Refused : public test::Walker {
         if (how == "no_rotation") next.after.stance[1].frame.linear() *= 1.1;
         if (how == "nan_cost") next.cost = kNan;
         if (how == "margin") next.label = "low";
+        if (how == "label") next.label = std::string("a\0b", 3);
         if (how == "huge") next.label = std::string(17u << 20, 'x');
       }
       context.emit(std::move(next));
@@ -38,9 +39,10 @@ class Refused : public test::Walker {
   }
 };
 
-constexpr std::array kParameters = {ParameterSpec{"at", ParameterKind::kInteger, "1", "4", 0, 1000, "", "Which step is bad."},
-                                    ParameterSpec{"how", ParameterKind::kChoice, "", "too_far", 0, 0,
-                                                  "too_far|nan_joint|no_rotation|nan_cost|margin|huge", "What is bad about it."}};
+constexpr std::array kParameters = {
+    ParameterSpec{"at", ParameterKind::kInteger, "1", "4", 0, 1000, "", "Which step is bad."},
+    ParameterSpec{"how", ParameterKind::kChoice, "", "too_far", 0, 0, "too_far|nan_joint|no_rotation|nan_cost|margin|label|huge",
+                  "What is bad about it."}};
 
 }  // namespace
 

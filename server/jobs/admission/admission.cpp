@@ -3,7 +3,7 @@
 
 #include "foothold/msg/errors.hpp"
 #include "jobs/admission/limits.hpp"
-#include "jobs/admission/text.hpp"
+#include "text/text.hpp"
 
 namespace foothold::server {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "jobs/admission/admission.hpp"
-#include "jobs/admission/text.hpp"
+#include "text/text.hpp"
 
 namespace foothold::server {
 namespace {

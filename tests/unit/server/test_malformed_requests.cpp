@@ -8,7 +8,7 @@
 #include "fakes.hpp"
 #include "jobs/admission/admission.hpp"
 #include "jobs/admission/limits.hpp"
-#include "jobs/admission/text.hpp"
+#include "text/text.hpp"
 
 namespace foothold::server::testing {
 namespace {

@@ -71,6 +71,7 @@ TEST(Schema, RefusesAPlannerWithoutNameVersionOrTexts) {
   expect_words(refusal_of({.version = "1"}), {"no name"});
   expect_words(refusal_of({.name = "mine"}), {"'mine'", "no version"});
   expect_words(refusal_of({.name = "mine", .version = "1", .limbs = nullptr}), {"null pointer"});
+  expect_words(refusal_of({.name = "mine", .version = "1\x02"}), {"control characters", "'1\\x02'"});
   expect_words(refusal_of({.name = "mine", .version = "1", .parameter_count = 3}), {"null pointer", "parameters"});
 }
 

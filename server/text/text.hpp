@@ -13,6 +13,9 @@ bool is_clean_text(std::string_view text);
 // True for 64 lower-case hexadecimal digits.
 bool is_sha256_hex(std::string_view text);
 
+// `text` with what is not clean written as \xNN, for text that has to be passed on whatever it holds. Clean text is unchanged.
+std::string cleaned(std::string_view text);
+
 // `text` in single quotes for a message, with what is not clean written as \xNN and cut after 80 octets ("... (1000 octets)").
 std::string quoted(std::string_view text);
 

@@ -1,5 +1,5 @@
 // Text from outside.
-#include "jobs/admission/text.hpp"
+#include "text/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,6 +33,20 @@ std::size_t sequence(std::string_view text, std::uint32_t& point) {
 
 bool is_control(std::uint32_t point) { return point < 0x20 || (point >= 0x7F && point < 0xA0); }
 
+// Appends the character at the front of `text`, or its first octet as \xNN; returns how many octets that took.
+std::size_t take_clean(std::string_view text, std::string& out) {
+  std::uint32_t point = 0;
+  const std::size_t length = sequence(text, point);
+  if (length != 0 && !is_control(point)) {
+    out += text.substr(0, length);
+    return length;
+  }
+  std::array<char, 8> escaped{};
+  std::snprintf(escaped.data(), escaped.size(), "\\x%02x", static_cast<unsigned>(static_cast<std::uint8_t>(text[0])));
+  out += escaped.data();
+  return 1;
+}
+
 }  // namespace
 
 bool is_clean_text(std::string_view text) {
@@ -49,22 +63,16 @@ bool is_sha256_hex(std::string_view text) {
   return text.size() == 64 && std::ranges::all_of(text, [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
 }
 
+std::string cleaned(std::string_view text) {
+  std::string out;
+  while (!text.empty()) text.remove_prefix(take_clean(text, out));
+  return out;
+}
+
 std::string quoted(std::string_view text) {
   const std::size_t whole = text.size();
   std::string out = "'";
-  while (!text.empty() && out.size() <= kShown) {
-    std::uint32_t point = 0;
-    const std::size_t length = sequence(text, point);
-    if (length == 0 || is_control(point)) {
-      std::array<char, 8> escaped{};
-      std::snprintf(escaped.data(), escaped.size(), "\\x%02x", static_cast<unsigned>(static_cast<std::uint8_t>(text[0])));
-      out += escaped.data();
-      text.remove_prefix(1);
-    } else {
-      out += text.substr(0, length);
-      text.remove_prefix(length);
-    }
-  }
+  while (!text.empty() && out.size() <= kShown) text.remove_prefix(take_clean(text, out));
   out += '\'';
   if (!text.empty()) out += "... (" + std::to_string(whole) + " octets)";
   return out;
