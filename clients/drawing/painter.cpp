@@ -92,17 +92,7 @@ class Painting {
   std::priority_queue<Key, std::vector<Key>, std::greater<>> free_;
 };
 
-Box2 bounds_of(const std::vector<SeenFace>& faces) {
-  if (faces.empty()) return {Vector2d::Zero(), Vector2d::Zero()};
-  Box2 all = flat_bounds(faces[0].points);
-  for (const SeenFace& face : faces) {
-    const Box2 one = flat_bounds(face.points);
-    all = {all.low.cwiseMin(one.low), all.high.cwiseMax(one.high)};
-  }
-  return all;
-}
-
-Painting::Painting(std::vector<SeenFace> faces) : grid_(bounds_of(faces), faces.size()), cuts_left_(1000 + 4 * faces.size()) {
+Painting::Painting(std::vector<SeenFace> faces) : grid_(flat_bounds(faces), faces.size()), cuts_left_(1000 + 4 * faces.size()) {
   for (std::size_t i = faces.size(); i-- > 0;) waiting_.emplace_back(std::move(faces[i]), i);
 }
 

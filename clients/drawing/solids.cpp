@@ -136,6 +136,16 @@ std::vector<SeenFace> seen_faces(const Body& body, const Projection& projection,
   return round_faces(outline(body, projection), shade_of(lit), number);
 }
 
+Box2 flat_bounds(const std::vector<SeenFace>& faces) {
+  if (faces.empty()) return {Vector2d::Zero(), Vector2d::Zero()};
+  Box2 all = flat_bounds(faces[0].points);
+  for (const SeenFace& face : faces) {
+    const Box2 one = flat_bounds(face.points);
+    all = {all.low.cwiseMin(one.low), all.high.cwiseMax(one.high)};
+  }
+  return all;
+}
+
 std::vector<Points> edge_on_pieces(const Body& body, const Projection& projection) {
   std::vector<Points> pieces;
   for (const ConvexPiece& piece : body.pieces) {

@@ -24,6 +24,8 @@ int shade_of(const Vector3d& normal);
 // the flat figure through its axis, facing the viewer, that has the outline of the whole; it lies inside the body, so that whatever
 // does not reach into the body is before or behind both alike. Faces seen edge-on are left out.
 std::vector<SeenFace> seen_faces(const Body& body, const Projection& projection, std::size_t number);
+// Of all faces together; without any, a point.
+Box2 flat_bounds(const std::vector<SeenFace>& faces);
 // Pieces of a polygon that are seen edge-on: only their edges are.
 std::vector<Points> edge_on_pieces(const Body& body, const Projection& projection);
 

@@ -49,21 +49,11 @@ Region combine(ClipperLib::ClipType how, const ClipperLib::Paths& subject, const
   return from_paths(result);
 }
 
-Box2 bounds_of(const std::vector<SeenFace>& faces) {
-  if (faces.empty()) return {Vector2d::Zero(), Vector2d::Zero()};
-  Box2 all = flat_bounds(faces[0].points);
-  for (const SeenFace& face : faces) {
-    const Box2 one = flat_bounds(face.points);
-    all = {all.low.cwiseMin(one.low), all.high.cwiseMax(one.high)};
-  }
-  return all;
-}
-
 }  // namespace
 
 Region unite(const std::vector<Points>& polygons) { return combine(ClipperLib::ctUnion, to_paths(polygons), {}); }
 
-Occluders::Occluders(std::vector<SeenFace> faces) : grid_(bounds_of(faces), faces.size()) {
+Occluders::Occluders(std::vector<SeenFace> faces) : grid_(flat_bounds(faces), faces.size()) {
   for (SeenFace& face : faces) {
     const auto plane = depth_plane(face.points);
     if (!plane) continue;
