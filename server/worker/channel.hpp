@@ -35,7 +35,7 @@ class Channel {
     send_out();
   }
 
-  // Octets of the last frame, header included: for judging its size before it goes.
+  // Whether one frame may hold this message.
   template <class Message>
   bool fits(const Message& message) const {
     return Message::getCdrSerializedSize(message) + 4 <= kLargestPayload;

@@ -114,7 +114,7 @@ void Planning::fill(msg::Summary& summary, const frame::Plan& plan, const Parsed
   summary.seed(plan.request().seed());
 }
 
-frame::Report Planning::run(std::uint64_t run, const frame::Plan& plan, std::stop_token stop, Channel& channel) {
+frame::Report Planning::run(std::uint64_t run, const frame::Plan& plan, const std::stop_token& stop, Channel& channel) {
   Attempt attempt;
   ParsedParameters parameters;
   frame::Report report;

@@ -19,7 +19,7 @@ class Planning {
   Planning(std::string robot, const PluginDescriptor& plugin, const RobotModel& model);
 
   // Sends SCENE and STEPs; returns the report. Throws ChannelClosed only.
-  frame::Report run(std::uint64_t run, const frame::Plan& plan, std::stop_token stop, Channel& channel);
+  frame::Report run(std::uint64_t run, const frame::Plan& plan, const std::stop_token& stop, Channel& channel);
 
  private:
   struct Attempt;

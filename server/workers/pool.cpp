@@ -193,7 +193,10 @@ void Pool::on_ready(Worker& worker, msg::RobotInfo info) {
   spdlog::info("robot {}: worker {} is ready with {} {}", robot_.name, worker.pid(), info.plugin(), info.plugin_version());
   info_ = std::move(info);
   trouble_.clear();
-  retire_older(present() == wanted() ? members_.size() : 1);
+  // One for one, so that a reload never leaves fewer slots than there were; the rest when all newer ones are there.
+  const auto newer = std::ranges::count_if(
+      members_, [this](const Member& other) { return other.generation == generation_ && other.ready && !other.retiring; });
+  retire_older(static_cast<std::size_t>(newer) >= wanted() ? members_.size() : 1);
   settle();
   changed();
 }
