@@ -5,6 +5,7 @@
 
 #include <boost/asio/post.hpp>
 #include <csignal>
+#include <thread>
 
 #include "service.hpp"
 
@@ -29,7 +30,6 @@ Daemon::Daemon(boost::asio::io_context& loop, ServerConfig config, std::vector<R
       workers_(loop, {.program = config_.worker, .limits = config_.workers}, robots_),
       signals_(loop, SIGTERM, SIGINT),
       timer_(loop),
-      batch_timer_(loop),
       beat_timer_(loop),
       retry_timer_(loop),
       stop_timer_(loop) {
@@ -43,7 +43,20 @@ Daemon::Daemon(boost::asio::io_context& loop, ServerConfig config, std::vector<R
 
 Daemon::~Daemon() { disk_.join(); }
 
-void Daemon::run() { loop_.run(); }
+// While a batch waits for a worker's first word, the loop looks again and again instead of sleeping: to be woken takes longer than
+// the wait itself.
+void Daemon::run() {
+  while (!loop_.stopped()) {
+    if (!waiting_since_) {
+      loop_.run_one();
+    } else if (loop_.poll_one() == 0) {
+      if (clock_.now() - *waiting_since_ >= kPatience)
+        end_batch();
+      else
+        std::this_thread::yield();
+    }
+  }
+}
 
 // Every robot is ready or refused: from here on the server can be heard.
 void Daemon::open_bus() {
@@ -102,20 +115,17 @@ void Daemon::batch_soon() {
   if (batch_posted_ || !jobs_) return;
   if (jobs_->urgent()) {
     batch_posted_ = true;
+    waiting_since_.reset();
     boost::asio::post(loop_, [this] { end_batch(); });
     return;
   }
-  if (batch_waits_) return;
-  batch_waits_ = true;
-  batch_timer_.expires_after(kPatience);
-  batch_timer_.async_wait([this](const boost::system::error_code& error) {
-    batch_waits_ = false;
-    if (!error && !batch_posted_ && jobs_) end_batch();
-  });
+  if (!waiting_since_) waiting_since_ = clock_.now();
 }
 
 void Daemon::end_batch() {
   batch_posted_ = false;
+  waiting_since_.reset();
+  if (!jobs_) return;
   jobs_->settle();
   arm_timer();
   if (stopping_) stop_when_idle();

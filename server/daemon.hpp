@@ -85,10 +85,10 @@ class Daemon final : private RunEvents {
   std::optional<Inbox> inbox_;
 
   boost::asio::signal_set signals_;
-  boost::asio::steady_timer timer_, batch_timer_, beat_timer_, retry_timer_, stop_timer_;
+  boost::asio::steady_timer timer_, beat_timer_, retry_timer_, stop_timer_;
   std::optional<Time> armed_;
   bool batch_posted_ = false;
-  bool batch_waits_ = false;  // for batch_timer_
+  std::optional<Time> waiting_since_;  // the batch waits for a worker's first word
   bool retrying_ = false;
   bool leaving_ = false;
   bool stopping_ = false;

@@ -35,7 +35,6 @@ void Daemon::stop_when_idle() {
 void Daemon::leave() {
   leaving_ = true;
   timer_.cancel();
-  batch_timer_.cancel();
   beat_timer_.cancel();
   retry_timer_.cancel();
   stop_timer_.cancel();

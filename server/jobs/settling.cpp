@@ -1,5 +1,6 @@
 // The end of a batch: commit, then tell; and what happens when the journal cannot store.
 #include <algorithm>
+#include <unordered_set>
 
 #include "foothold/msg/errors.hpp"
 #include "jobs/admission/admission.hpp"
@@ -113,13 +114,20 @@ void Jobs::give_up(Job& job) {
 
 // Steps go first: they are what a client waits for, and the order between the two topics is free.
 void Jobs::flush() {
-  for (const Outgoing& out : outgoing_)
-    if (const auto* sent = std::get_if<Sent>(&out)) ports_.outbox.step(sent->client, sent->step);
+  std::unordered_set<Id, msg::IdHash> over;  // what has ended by now need not be said to run (P8)
   for (const Outgoing& out : outgoing_) {
-    if (const auto* told = std::get_if<Told>(&out))
-      ports_.outbox.event(told->event->client(), *told->event);
-    else if (const auto* asked = std::get_if<Asked>(&out))
-      answer(*asked);
+    if (const auto* sent = std::get_if<Sent>(&out)) ports_.outbox.step(sent->client, sent->step);
+    if (const auto* told = std::get_if<Told>(&out); told != nullptr && msg::is_final(told->event->state()))
+      over.insert(told->request);
+  }
+  const auto outdated = [&](const Told& told) {
+    return told.event->state() == msg::RUNNING && told.event->scene().empty() && over.contains(told.request);
+  };
+  for (const Outgoing& out : outgoing_) {
+    if (const auto* told = std::get_if<Told>(&out)) {
+      if (!outdated(*told)) ports_.outbox.event(told->event->client(), *told->event);
+    }
+    if (const auto* asked = std::get_if<Asked>(&out)) answer(*asked);
   }
   outgoing_.clear();
   urgent_ = false;

@@ -247,6 +247,15 @@ TEST(P8, ARequestThatCanStartAtOnceHasNoQueuedEvent) {
   EXPECT_EQ(states(world.events(request.id())), (States{msg::RUNNING, msg::SUCCEEDED}));
 }
 
+TEST(P8, ARequestThatEndsInTheBatchInWhichItBeganHasNoRunningEvent) {
+  World world;
+  const auto request = good_request();
+  world.jobs->request(request);
+  world.jobs->on_run_end(1, {.state = msg::SUCCEEDED});
+  world.jobs->settle();
+  EXPECT_EQ(states(world.events(request.id())), (States{msg::SUCCEEDED}));
+}
+
 TEST(P8, ARequestThatWaitsIsToldSo) {
   World world;
   for (const char* name : {"r1", "r2", "waiting"}) world.submit(good_request(name));

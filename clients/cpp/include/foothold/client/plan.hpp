@@ -22,9 +22,10 @@ class PlanState;
 inline constexpr double kForever = std::numeric_limits<double>::infinity();
 
 // What a plan tells by callbacks; each is optional. All run on the client's one delivery thread, one at a time, in the order of the
-// plan: on_event (RUNNING), on_step (0, 1, ...), on_event (final, always last and only when every step was delivered).
-// Inside a callback submit(), query(), cancel() and the reading functions of Plan may be called; wait() and next() on another plan
-// would hold up every other callback, and the client must not be destroyed there. A callback that throws ends the process.
+// plan: on_event (RUNNING, left out by a short plan), on_step (0, 1, ...), on_event (final, always last and only when every step
+// was delivered). Inside a callback submit(), query(), cancel() and the reading functions of Plan may be called; wait() and next()
+// on another plan would hold up every other callback, and the client must not be destroyed there. A callback that throws ends the
+// process.
 struct PlanCallbacks {
   std::function<void(const msg::Step&)> on_step;
   std::function<void(const msg::PlanEvent&)> on_event;  // each change of state
