@@ -2,6 +2,7 @@
 #include "plan_state.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "foothold/msg/errors.hpp"
 #include "outgoing.hpp"
@@ -67,6 +68,7 @@ bool PlanState::accept(const msg::PlanEvent& event, std::span<const msg::Id> ali
   {
     const std::lock_guard lock(mutex_);
     if (has_ended() || (server_ != msg::kNoId && event.server() != server_)) return false;
+    if (std::exchange(lost_, false)) untold_.push_back({std::nullopt, false});  // who answers is not lost
     if (event.state() == msg::UNKNOWN) {
       accept_unknown(event, alive, now);
       if (!final_) return false;

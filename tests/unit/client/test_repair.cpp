@@ -7,6 +7,7 @@
 
 #include "eventually.hpp"
 #include "foothold/client/client.hpp"
+#include "foothold/msg/errors.hpp"
 #include "scripted_server.hpp"
 
 namespace foothold::test {
@@ -118,11 +119,39 @@ TEST(LostServer, OpenPlansAreToldAndGoOnWhenItIsBack) {
   ASSERT_EQ(client.servers().size(), 1u);
   EXPECT_FALSE(client.servers()[0].alive);
   plan.cancel("while it is away");  // the silent server drops it
+  ASSERT_TRUE(network.settle());
   server.fall_silent(false);
   ASSERT_EQ(back.get_future().wait_for(std::chrono::seconds(20)), std::future_status::ready);
   const auto end = plan.wait(kSoon);
   ASSERT_TRUE(end) << "the cancel was not sent again";
   EXPECT_EQ(end->state(), msg::CANCELLED);
+}
+
+TEST(LostServer, WhatItSaysProvesThatItIsBack) {
+  MemoryNetwork network;
+  ScriptedServer server(network, {.steps = 2, .ends = false});
+  Client client(network.bus(), {.repair_after = 30.0, .server_silence = 0.4});
+  ASSERT_TRUE(client.wait_for_server(kSoon));
+  std::vector<std::string> told;
+  std::promise<void> over;
+  PlanCallbacks callbacks;
+  callbacks.on_server = [&](bool gone) { told.emplace_back(gone ? "lost" : "back"); };
+  callbacks.on_event = [&](const msg::PlanEvent& event) {
+    told.emplace_back(msg::state_name(event.state()));
+    if (msg::is_final(event.state())) over.set_value();
+  };
+  Plan plan = client.submit(request_for_robot(), callbacks);
+  ASSERT_TRUE(eventually([&] { return plan.steps_ready() == 2; }));
+  server.fall_silent(true);
+  ASSERT_TRUE(eventually([&] { return plan.server_lost(); }));
+  msg::PlanEvent end;
+  end.request(plan.id());
+  end.server(server.id());
+  end.state(msg::FAILED);
+  end.steps(2);
+  server.send(client.id(), end);
+  ASSERT_EQ(over.get_future().wait_for(std::chrono::seconds(20)), std::future_status::ready);
+  EXPECT_EQ(told, (std::vector<std::string>{"RUNNING", "lost", "back", "FAILED"}));
 }
 
 TEST(LostServer, APlanThatItsServerForgotEndsUnknownAndIsNotPlannedAgain) {
