@@ -94,7 +94,10 @@ void Client::Impl::on_event(std::span<const std::byte> message) {
   const auto plan = id ? find(*id) : nullptr;
   if (!plan) return;
   const auto event = msg::decode<msg::PlanEvent>(message);
-  if (event) after(plan, plan->accept(*event, directory.alive(), Clock::now()));
+  if (!event) return;
+  // Who is alive matters to an answer that nobody knows the request, and that is rare.
+  const std::vector<msg::Id> alive = event->state() == msg::UNKNOWN ? directory.alive() : std::vector<msg::Id>();
+  after(plan, plan->accept(*event, alive, Clock::now()));
 }
 
 void Client::Impl::on_server(std::span<const std::byte> message) {

@@ -43,6 +43,7 @@ PlanState::PlanState(msg::PlanRequest request, Origin origin, std::uint32_t from
 }
 
 bool PlanState::accept(msg::Step step, Time now) {
+  bool over = false;
   {
     const std::lock_guard lock(mutex_);
     if (has_ended()) return false;
@@ -58,13 +59,15 @@ bool PlanState::accept(msg::Step step, Time now) {
     }
     if (times_.first_step == Time{}) times_.first_step = now;
     progress(now);
-    note_end(now);
+    over = note_end(now);
   }
-  news_.notify_all();
+  arrived_.notify_all();
+  if (over) over_.notify_all();
   return callbacks_.any();
 }
 
 bool PlanState::accept(const msg::PlanEvent& event, std::span<const msg::Id> alive, Time now) {
+  bool over = false;
   {
     const std::lock_guard lock(mutex_);
     if (has_ended() || (server_ != msg::kNoId && event.server() != server_)) return false;
@@ -92,9 +95,10 @@ bool PlanState::accept(const msg::PlanEvent& event, std::span<const msg::Id> ali
       }
       heard_ = true;
     }
-    note_end(now);
+    over = note_end(now);
   }
-  news_.notify_all();
+  // A change of state alone wakes nobody: who waits for a step would only fall asleep again.
+  if (over) tell_over();
   return callbacks_.any();
 }
 
@@ -124,7 +128,6 @@ bool PlanState::set_server_lost(bool lost, Time now) {
     next_due_ = now;
     patience_ = repair_after_;
   }
-  news_.notify_all();
   return callbacks_.any();
 }
 
@@ -134,8 +137,14 @@ void PlanState::progress(Time now) {
   next_due_ = now + from_seconds(patience_);
 }
 
-void PlanState::note_end(Time now) {
+bool PlanState::note_end(Time now) {
   if (has_ended() && times_.ended == Time{}) times_.ended = now;
+  return has_ended();
+}
+
+void PlanState::tell_over() {
+  arrived_.notify_all();
+  over_.notify_all();
 }
 
 bool PlanState::has_ended() const { return final_ && (final_->state() == msg::UNKNOWN || steps_.next() >= final_->steps()); }
@@ -214,18 +223,18 @@ void PlanState::detach() {
     const std::lock_guard lock(mutex_);
     detached_ = true;
   }
-  news_.notify_all();
+  tell_over();
 }
 
 const msg::Step* PlanState::next(std::size_t& place, double seconds) {
   std::unique_lock lock(mutex_);
-  wait_for(news_, lock, seconds, [&] { return place < steps_.ready().size() || has_ended() || detached_; });
+  wait_for(arrived_, lock, seconds, [&] { return place < steps_.ready().size() || has_ended() || detached_; });
   return place < steps_.ready().size() ? &steps_.ready()[place++] : nullptr;
 }
 
 std::optional<msg::PlanEvent> PlanState::wait(double seconds) const {
   std::unique_lock lock(mutex_);
-  wait_for(news_, lock, seconds, [&] { return has_ended() || detached_; });
+  wait_for(over_, lock, seconds, [&] { return has_ended() || detached_; });
   return has_ended() ? final_ : std::nullopt;
 }
 

@@ -67,7 +67,8 @@ class PlanState {
   bool misses_steps() const;
   void progress(Time now);
   void accept_unknown(const msg::PlanEvent& event, std::span<const msg::Id> alive, Time now);
-  void note_end(Time now);
+  bool note_end(Time now);  // true if it has ended
+  void tell_over();
 
   msg::PlanRequest request_;
   const Origin origin_;
@@ -76,7 +77,7 @@ class PlanState {
   const std::weak_ptr<Outgoing> outgoing_;
 
   mutable std::mutex mutex_;
-  mutable std::condition_variable news_;
+  mutable std::condition_variable arrived_, over_;  // next() waits for the one, wait() for the other
   StepOrder steps_;
   std::uint32_t announced_ = 0;  // steps that the server says it has sent
   msg::Id server_{};
