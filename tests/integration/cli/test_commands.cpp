@@ -13,6 +13,7 @@
 #include "eventually.hpp"
 #include "foothold/client/plan_file.hpp"
 #include "foothold/msg/cdr.hpp"
+#include "foothold/msg/ids.hpp"
 #include "planners.hpp"
 #include "program.hpp"
 
@@ -204,6 +205,17 @@ TEST_F(Commands, ScenesAreStoredListedAndSentWithARequest) {
   EXPECT_EQ(refused.code, 8);
   EXPECT_TRUE(refused.has("INVALID_SCENE") && refused.has("line 2")) << refused.text;
   EXPECT_EQ(foothold("scene put " + file("scene.dxf", "")).code, 2);
+}
+
+TEST_F(Commands, ASceneOfManyChunksArrivesWhole) {
+  std::string text = "planes:\n";
+  while (text.size() < 3'000'000) text += "  - {name: plane_" + std::to_string(text.size()) + "}\n";
+  const std::string scene = file("large.yaml", text);
+  for (const char* vendor : {"cyclone", "fastdds"}) {
+    const Printed put = run(vendor, kDomain, "scene put " + scene);
+    EXPECT_EQ(put.code, 0) << put.text;
+    EXPECT_TRUE(put.has(msg::sha256_hex(text))) << put.text;
+  }
 }
 
 TEST_F(Commands, DoctorFindsTheServerThroughBothVendors) {
