@@ -1,7 +1,10 @@
-// The other process of a test: bus_peer VENDOR DOMAIN read|write TOPIC PARTITION [NETWORK_CONFIG].
+// The other process of a test: bus_peer VENDOR DOMAIN read|decode|write TOPIC PARTITION [NETWORK_CONFIG].
 // read: each message, and each change of matched and living writers, goes to stdout as a frame; ends when stdin does.
+// decode: like read, but instead of a message one octet: 1 if it is a message of the topic's type, else 0.
 // write: tells how many readers are matched, in frames; each frame of stdin goes to the bus, again and again while it is full; at
 // the end of stdin waits for acknowledgement.
+#include <foothold.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
@@ -9,6 +12,7 @@
 #include <string>
 #include <thread>
 
+#include "foothold/msg/cdr.hpp"
 #include "foothold/transport/bus.hpp"
 #include "frames.hpp"
 
@@ -25,10 +29,39 @@ transport::Topic topic_named(const std::string& name) {
   throw std::runtime_error("no topic " + name);
 }
 
-void read(transport::Bus& bus, transport::Topic topic, const std::string& partition) {
+bool decodes(transport::Topic topic, std::span<const std::byte> message) {
+  using transport::Topic;
+  switch (topic) {
+    case Topic::kRequest:
+      return msg::decode<msg::PlanRequest>(message).has_value();
+    case Topic::kCancel:
+      return msg::decode<msg::CancelRequest>(message).has_value();
+    case Topic::kQuery:
+      return msg::decode<msg::StateQuery>(message).has_value();
+    case Topic::kEvent:
+      return msg::decode<msg::PlanEvent>(message).has_value();
+    case Topic::kStep:
+      return msg::decode<msg::Step>(message).has_value();
+    case Topic::kScene:
+      return msg::decode<msg::SceneChunk>(message).has_value();
+    case Topic::kSceneStatus:
+      return msg::decode<msg::SceneStatus>(message).has_value();
+    case Topic::kRobot:
+      return msg::decode<msg::RobotInfo>(message).has_value();
+    case Topic::kServer:
+      return msg::decode<msg::ServerInfo>(message).has_value();
+  }
+  return false;
+}
+
+void read(transport::Bus& bus, transport::Topic topic, const std::string& partition, bool decoding) {
+  const auto on_message = [topic, decoding](std::span<const std::byte> message) {
+    const auto verdict = std::byte{decoding && decodes(topic, message)};
+    test::put_frame(STDOUT_FILENO, Kind::kMessage, decoding ? std::span(&verdict, 1) : message);
+  };
   const auto reader =
       bus.reader(topic, partition,
-                 {.on_message = [](std::span<const std::byte> message) { test::put_frame(STDOUT_FILENO, Kind::kMessage, message); },
+                 {.on_message = on_message,
                   .on_matched = [](std::size_t count) { test::put_number(STDOUT_FILENO, Kind::kMatched, count); },
                   .on_liveliness = [](std::size_t count) { test::put_number(STDOUT_FILENO, Kind::kAlive, count); }});
   test::put_frame(STDOUT_FILENO, Kind::kReady, {});
@@ -60,13 +93,13 @@ int write(transport::Bus& bus, transport::Topic topic, const std::string& partit
 }  // namespace
 
 int main(int count, char** words) try {
-  if (count < 6) throw std::runtime_error("usage: bus_peer VENDOR DOMAIN read|write TOPIC PARTITION [NETWORK_CONFIG]");
+  if (count < 6) throw std::runtime_error("usage: bus_peer VENDOR DOMAIN read|decode|write TOPIC PARTITION [NETWORK_CONFIG]");
   const auto bus = transport::open_bus({.vendor = words[1],
                                         .domain = static_cast<std::uint32_t>(std::stoul(words[2])),
                                         .network_config = count > 6 ? words[6] : ""});
   const transport::Topic topic = topic_named(words[4]);
   if (std::string(words[3]) == "write") return write(*bus, topic, words[5]);
-  read(*bus, topic, words[5]);
+  read(*bus, topic, words[5], std::string(words[3]) == "decode");
   return EXIT_SUCCESS;
 } catch (const std::exception& fault) {
   std::cerr << "bus_peer: " << fault.what() << "\n";

@@ -117,6 +117,25 @@ TEST_P(Delivery, AnOldRequestIsNotGivenToAServerThatIsStartedMuchLater) {
   EXPECT_EQ(number_of(messages[0]), 2U);
 }
 
+TEST_P(Delivery, LargeMessagesArriveWhole) {
+  Peer reader(bus_peer(GetParam().reader, "read", Topic::kEvent, "p"));
+  const auto bus = open_bus({.vendor = GetParam().writer, .domain = test_domain()});
+  const auto writer = bus->writer(Topic::kEvent, "p");
+  ASSERT_TRUE(eventually([&] { return writer->matched() == 1; }));
+  std::vector<std::vector<std::byte>> written;
+  for (const std::size_t size : {std::size_t{65'000}, std::size_t{66'000}, std::size_t{1'000'000}, transport::kMaxMessage}) {
+    written.push_back(numbered(static_cast<std::uint32_t>(written.size()), size));
+    for (std::size_t i = 24; i < size; ++i) written.back()[i] = static_cast<std::byte>(i * 2654435761U >> 24U);
+    ASSERT_EQ(write_on(*writer, written.back()), Writer::Result::kSent) << writer->last_error();
+  }
+  ASSERT_TRUE(reader.wait_messages(written.size())) << reader.messages().size();
+  const auto messages = reader.messages();
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    ASSERT_GE(messages[i].size(), written[i].size());  // the wire may pad to whole words
+    EXPECT_TRUE(std::equal(written[i].begin(), written[i].end(), messages[i].begin())) << i;
+  }
+}
+
 // Nothing is called after a reader is gone, however much is under way.
 TEST_P(Delivery, ReadersComeAndGoWhileMessagesFlow) {
   const auto from = open_bus({.vendor = GetParam().writer, .domain = test_domain()});

@@ -20,7 +20,7 @@ std::string beside_this_program(const std::string& name) {
 
 }  // namespace
 
-Peer::Peer(const std::vector<std::string>& command) {
+Peer::Peer(const std::vector<std::string>& command, Errors errors) {
   int in[2];
   int out[2];
   // Close on exec: a later child must not hold the ends of an earlier one open.
@@ -29,6 +29,7 @@ Peer::Peer(const std::vector<std::string>& command) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, in[0], STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
+  if (errors == Errors::kHidden) posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   std::vector<std::string> words = command;
   const std::string program = beside_this_program(command.front());
   std::vector<char*> pointers;

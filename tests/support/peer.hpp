@@ -16,8 +16,9 @@ namespace foothold::test {
 
 class Peer {
  public:
+  enum class Errors { kShown, kHidden };  // what it says on stderr
   // `command[0]` is a program of this build's bin folder. Throws std::runtime_error.
-  explicit Peer(const std::vector<std::string>& command);
+  explicit Peer(const std::vector<std::string>& command, Errors errors = Errors::kShown);
   ~Peer();  // closes its stdin and waits for it, 20 s at most, then kills it
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;

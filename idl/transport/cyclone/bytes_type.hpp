@@ -16,7 +16,7 @@ namespace foothold::transport::cyclone {
 ddsi_sertype* new_bytes_type(const TopicTraits& topic);
 
 // A sample to write; release it by ddsi_serdata_unref or hand it to dds_writecdr, which takes it over. `type` is the one that
-// dds_create_topic_sertype returned. Precondition: looks_like(topic, message).
+// dds_create_topic_sertype returned. Precondition: no fault_of(topic, message).
 ddsi_serdata* new_sample(const ddsi_sertype* type, std::span<const std::byte> message);
 
 // The octets of a sample that was taken from a reader of such a type. They live as long as the sample.

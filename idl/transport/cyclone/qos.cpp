@@ -32,8 +32,8 @@ Qos writer_qos(const TopicTraits& topic) {
 
 Qos reader_qos(const TopicTraits& topic) {
   Qos qos = common_qos(topic);
-  // No bounds: the listener takes samples at once. At a bound (the history that a new reader in the writer's process is given, or many
-  // keys) Cyclone would stop receiving.
+  // No bounds: the listener takes samples at once. At a bound (the history that a new reader in the writer's process is given, or
+  // many keys) Cyclone would stop receiving.
   dds_qset_resource_limits(qos.get(), DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
   return qos;
 }

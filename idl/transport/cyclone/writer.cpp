@@ -17,7 +17,7 @@ class CycloneWriter final : public Writer {
                 "a writer of " + std::string(topic.name)) {}
 
   Result write(std::span<const std::byte> message) override {
-    if (!looks_like(topic_, message)) return failed("no XCDR1 message of type " + std::string(topic_.type));
+    if (const char* fault = fault_of(topic_, message)) return failed(describe(topic_, message, fault));
     const dds_return_t code = dds_writecdr(writer_.get(), new_sample(type_, message));
     if (code == DDS_RETCODE_OK) return Result::kSent;
     if (code == DDS_RETCODE_TIMEOUT) return Result::kFull;

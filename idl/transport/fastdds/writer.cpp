@@ -41,7 +41,7 @@ class FastWriter final : public Writer {
   }
 
   Result write(std::span<const std::byte> message) override {
-    if (!looks_like(topic_, message)) return failed("no XCDR1 message of type " + std::string(topic_.type));
+    if (const char* fault = fault_of(topic_, message)) return failed(describe(topic_, message, fault));
     if ((window_samples_ >= kWindowSamples || window_octets_ >= kWindowOctets) && !all_acknowledged()) return Result::kFull;
     BytesSample sample{message, {}};
     const ReturnCode_t code = writer_->write(&sample, dds::HANDLE_NIL);

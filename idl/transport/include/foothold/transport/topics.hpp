@@ -37,6 +37,9 @@ inline constexpr TopicTraits kTopics[kTopicCount] = {
     {Topic::kServer, "foothold/server", "foothold::msg::ServerInfo", true, true, 64, 0, true},
 };
 
+// Octets of a message, at most: what is larger is not written and, by Cyclone, not received.
+inline constexpr std::size_t kMaxMessage = std::size_t{16} << 20U;
+
 constexpr const TopicTraits& traits(Topic topic) { return kTopics[static_cast<std::size_t>(topic)]; }
 
 }  // namespace foothold::transport
