@@ -45,7 +45,7 @@ class Worker : public std::enable_shared_from_this<Worker> {
  public:
   enum class Phase { kLoading, kIdle, kBusy, kLeaving };
 
-  // Starts the process. Throws std::system_error. `name` is for the log: "xrobin". The owner outlives the worker's process.
+  // Starts the process. Throws std::system_error. `name` is the robot, for the log. The owner outlives the worker's process.
   Worker(boost::asio::io_context& loop, WorkerOwner& owner, std::string name, const std::string& program);
   ~Worker() { abandon(); }
 
