@@ -29,5 +29,8 @@ endif()
 function(foothold_ours target)
   target_compile_options(${target} PRIVATE
     $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-missing-field-initializers -Wno-restrict>
-    $<$<AND:$<BOOL:${FOOTHOLD_WERROR}>,$<COMPILE_LANGUAGE:CXX>,$<NOT:$<BOOL:${FOOTHOLD_SANITIZE}>>>:-Werror>)
+)
+  if(FOOTHOLD_WERROR AND NOT FOOTHOLD_SANITIZE)
+    target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
+  endif()
 endfunction()
