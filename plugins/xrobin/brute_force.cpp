@@ -112,7 +112,8 @@ std::optional<BestWord> best_of_all_walkable_words(const Mechanism& mechanism, P
           word.push_back(static_cast<std::uint8_t>(first));
           word.push_back(static_cast<std::uint8_t>(second));
           walk(b * inverse(mechanism.b_in_a(second)), second, left - 1);
-          word.resize(word.size() - 2);
+          word.pop_back();
+          word.pop_back();
         }
       }
     }

@@ -2,6 +2,7 @@
 #include "half_cycles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 
@@ -12,7 +13,7 @@ constexpr double kMergeDistance = 1e-12;  // m, in x and in y
 constexpr double kMergeAngle = 1e-12;     // rad
 constexpr double kCell = 1e-10;  // m, of the hash; a pair that a cell's edge divides stays two poses, which costs only time
 
-// Open addressing over the indices of a level's poses.
+// Open addressing over the indices of a level's poses, each beside the upper half of its hash, so that few poses are looked at.
 class PoseHash {
  public:
   explicit PoseHash(std::size_t poses) {
@@ -21,28 +22,38 @@ class PoseHash {
     slots_.assign(capacity, kFree);
   }
 
+  // The hash of a pose, to be given to insert() some time later, when its slot has come from memory.
+  std::uint64_t announce(double x, double y, std::uint16_t turn) const {
+    const std::uint64_t hashed = hash(x, y, turn);
+    __builtin_prefetch(&slots_[hashed & (slots_.size() - 1)]);
+    return hashed;
+  }
+
   // Appends the pose unless the level holds it already; gives its index.
-  std::uint32_t insert(PoseLevel& level, double x, double y, std::uint16_t turn, std::uint32_t origin) {
+  std::uint32_t insert(PoseLevel& level, std::uint64_t hashed, double x, double y, std::uint16_t turn, std::uint32_t origin) {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t slot = hash(x, y, turn) & mask;
+    std::size_t slot = hashed & mask;
     while (slots_[slot] != kFree) {
-      const std::size_t k = slots_[slot];
-      if (level.turn[k] == turn && std::abs(level.x[k] - x) <= kMergeDistance && std::abs(level.y[k] - y) <= kMergeDistance)
-        return static_cast<std::uint32_t>(k);
+      if ((slots_[slot] ^ hashed) >> 32 == 0) {
+        const auto k = static_cast<std::uint32_t>(slots_[slot]);
+        if (level.turn[k] == turn && std::abs(level.x[k] - x) <= kMergeDistance && std::abs(level.y[k] - y) <= kMergeDistance)
+          return k;
+      }
       slot = (slot + 1) & mask;
     }
-    slots_[slot] = static_cast<std::uint32_t>(level.size());
+    const auto k = static_cast<std::uint32_t>(level.size());
+    slots_[slot] = (hashed & ~std::uint64_t{0xFFFFFFFF}) | k;
     level.x.push_back(x);
     level.y.push_back(y);
     level.turn.push_back(turn);
     level.origin.push_back(origin);
-    return slots_[slot];
+    return k;
   }
 
  private:
-  static constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint64_t kFree = std::numeric_limits<std::uint64_t>::max();
 
-  static std::size_t hash(double x, double y, std::uint16_t turn) {
+  static std::uint64_t hash(double x, double y, std::uint16_t turn) {
     const auto a = static_cast<std::uint64_t>(std::llround(x / kCell));
     const auto b = static_cast<std::uint64_t>(std::llround(y / kCell));
     std::uint64_t h = a * 0x9E3779B97F4A7C15ull ^ (b + turn) * 0xC2B2AE3D27D4EB4Full;
@@ -51,7 +62,7 @@ class PoseHash {
     return h ^ (h >> 32);
   }
 
-  std::vector<std::uint32_t> slots_;
+  std::vector<std::uint64_t> slots_;
 };
 
 }  // namespace
@@ -108,16 +119,33 @@ bool HalfCycles::grow(int wanted, const std::stop_token& stop) {
     PoseLevel next;
     below.next.resize(below.size() * kConfigurations);
     PoseHash seen(below.size() * kConfigurations);
-    for (std::size_t k = 0; k < below.size(); ++k) {
+    struct Child {
+      std::uint64_t hashed;
+      double x, y;
+      std::uint16_t turn;
+    };
+    // Some parents' children are announced before those of the first are inserted.
+    constexpr std::size_t kAhead = 4;
+    std::array<std::array<Child, kConfigurations>, kAhead> children;
+    for (std::size_t k = 0; k < below.size() + kAhead; ++k) {
       if (k % 4096 == 0 && stop.stop_requested()) return false;
+      auto& these = children[k % kAhead];
+      if (k >= kAhead)
+        for (std::size_t c = 0; c < kConfigurations; ++c) {
+          const std::size_t code = (k - kAhead) * kConfigurations + c;
+          below.next[code] =
+              seen.insert(next, these[c].hashed, these[c].x, these[c].y, these[c].turn, static_cast<std::uint32_t>(code));
+        }
+      if (k >= below.size()) continue;
       for (const Configuration& c : mechanism_.configurations()) {
-        const std::uint16_t turn = turns_.after(below.turn[k], c, b_moves ? 1 : -1);
+        Child& child = these[static_cast<std::size_t>(c.number - 1)];
+        child.turn = turns_.after(below.turn[k], c, b_moves ? 1 : -1);
         // The slot lies along the y axis of body A, which is the one that moves in the second half of a cycle.
-        const std::size_t slot = b_moves ? below.turn[k] : turn;
+        const std::size_t slot = b_moves ? below.turn[k] : child.turn;
         const double along = b_moves ? c.y : -c.y;
-        const std::size_t code = k * kConfigurations + static_cast<std::size_t>(c.number - 1);
-        below.next[code] = seen.insert(next, below.x[k] - turns_.sine(slot) * along, below.y[k] + turns_.cosine(slot) * along, turn,
-                                       static_cast<std::uint32_t>(code));
+        child.x = below.x[k] - turns_.sine(slot) * along;
+        child.y = below.y[k] + turns_.cosine(slot) * along;
+        child.hashed = seen.announce(child.x, child.y, child.turn);
       }
     }
     levels_.push_back(std::move(next));

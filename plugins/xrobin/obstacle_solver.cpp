@@ -6,16 +6,25 @@
 namespace foothold::xrobin {
 namespace {
 
-constexpr double kAny = 1e4;      // m: no bound on the distance
-constexpr double kEqual = 1e-12;  // m: distances that differ by rounding only
+constexpr double kAny = 1e4;  // m: no bound on the distance
+constexpr std::size_t kMostCorners = 400;
+constexpr double kMostThinner = 8e-3;  // m
+constexpr double kEqual = 1e-12;       // m: distances that differ by rounding only
 
 int cycles_of(const Word& word) { return static_cast<int>(word.size() / 2); }
 
 void append(Word& word, const Word& more) { word.insert(word.end(), more.begin(), more.end()); }
 
+// None if there are so many corners that shortest ways among them would take longer to find than they save: a way past nothing is a
+// lower bound too.
 std::vector<geometry::Polygon> polygons(const std::vector<geometry::Obstacle>& obstacles) {
   std::vector<geometry::Polygon> out;
-  for (const geometry::Obstacle& obstacle : obstacles) out.push_back(obstacle.polygon);
+  std::size_t corners = 0;
+  for (const geometry::Obstacle& obstacle : obstacles) {
+    out.push_back(obstacle.polygon);
+    corners += obstacle.polygon.size();
+  }
+  if (corners > kMostCorners) out.clear();
   return out;
 }
 
@@ -31,13 +40,13 @@ ObstacleSolver::ObstacleSolver(const Solver& solver, Passage& passage, const Sta
       limits_(limits),
       obstacle_limits_(obstacle_limits),
       stop_(std::move(stop)),
-      ways_({goal.x, goal.y}, polygons(passage.surroundings().obstacles())) {
+      ways_({goal.x, goal.y}, polygons(passage.surroundings().obstacles()), stop_) {
   limits_.cycles = std::min(limits_.cycles, limits_.max_cycles);
 }
 
 Solution ObstacleSolver::solve(Method method) {
   if (method == Method::kOptimal || method == Method::kFewest)
-    pairs_.emplace(solver_.half_cycles(), *solver_.origins(), passage_, ways_, limits_.cycles, obstacle_limits_.most_pairs);
+    pairs_.emplace(solver_.half_cycles(), *solver_.origins(), passage_, ways_, limits_.cycles);
   Solution solution;
   switch (method) {
     case Method::kOptimal:
@@ -73,15 +82,15 @@ Stance ObstacleSolver::after(const Stance& from, const Word& word) const {
   return {from.a * forward(mechanism_, word), word.empty() ? from.configuration : word.back()};
 }
 
-ValidWord ObstacleSolver::best_within(const Stance& from, int cycles, double bound) {
-  ValidWord best = pairs_->nearest(solver_.search(cycles), from, goal_, bound, stop_);
+ValidWord ObstacleSolver::best_within(const Stance& from, int cycles, double bound, std::size_t most_pairs) {
+  ValidWord best = pairs_->nearest(solver_.search(cycles), from, goal_, bound, most_pairs, stop_);
   best.excluded_to -= solver_.search(cycles).merge_bound();
   for (int n = cycles - 1; best.word && n >= 0; --n) {
     if (n == 0) {
       if (away(from.a) <= best.distance + kEqual && heading_met(from.a)) best.word = Word{};
       break;
     }
-    const ValidWord fewer = pairs_->nearest(solver_.search(n), from, goal_, best.distance + kEqual, stop_);
+    const ValidWord fewer = pairs_->nearest(solver_.search(n), from, goal_, best.distance + kEqual, most_pairs, stop_);
     if (!fewer.word) break;
     best.word = fewer.word;
   }
@@ -94,7 +103,7 @@ ValidWord ObstacleSolver::fewest_within(const Stance& from, int cycles, double b
   bool complete = true;
   for (int n = 1; n <= cycles && !stop_.stop_requested(); ++n) {
     if (away(from.a) - n * mechanism_.longest_cycle() >= bound) continue;
-    found = pairs_->nearest(solver_.search(n), from, goal_, bound, stop_);
+    found = pairs_->nearest(solver_.search(n), from, goal_, bound, obstacle_limits_.most_pairs, stop_);
     complete = complete && (found.complete || found.word.has_value());
     if (found.word) break;
   }
@@ -112,13 +121,33 @@ int ObstacleSolver::least_cycles() const {
   return static_cast<int>(std::clamp(cycles, 0.0, limits_.max_cycles + 1.0));
 }
 
+bool ObstacleSolver::room_at_goal() const {
+  // A robot that is thinner by as much as an end of a plan may differ from the goal in place and heading finds room at the goal
+  // itself wherever the true one does near it.
+  const double eighth = 0.25 * std::numbers::pi;
+  const double off = std::max(std::abs(mechanism_.eighth_turn() - eighth), std::abs(mechanism_.quarter_turn() - 2.0 * eighth));
+  const Surroundings& true_one = passage_.surroundings();
+  const double arm = mechanism_.travel() + std::hypot(true_one.bodies().b.half_x, true_one.bodies().b.half_y) +
+                     std::hypot(true_one.bodies().a.half_x, true_one.bodies().a.half_y);
+  const double by = limits_.tolerance + 2.0 * limits_.max_cycles * off * arm;
+  if (by > kMostThinner) return true;
+  const Surroundings thin(true_one.ring(), thinner(true_one.bodies(), by), true_one.obstacles(), true_one.clearance());
+  for (int k = 0; k < 8; ++k) {
+    const PlanarPose a{goal_.x, goal_.y, start_.a.heading + k * eighth};
+    for (int c = 1; c <= kConfigurations; ++c)
+      if (thin.clear_at_rest({a, a * mechanism_.b_in_a(c)})) return true;
+  }
+  return false;
+}
+
 Solution ObstacleSolver::optimal() {
   Solution solution{.distance = away(start_.a)};
+  solution.no_room = !room_at_goal();
   const bool no_more = limits_.cycles == limits_.max_cycles;
   // If more cycles may be taken, only what meets the tolerance with these is of interest.
   const double bound = no_more ? kAny : std::nextafter(limits_.tolerance, kAny);
-  if (no_more || least_cycles() <= limits_.cycles) {
-    ValidWord best = best_within(start_, limits_.cycles, bound);
+  if (no_more || (!solution.no_room && least_cycles() <= limits_.cycles)) {
+    ValidWord best = best_within(start_, limits_.cycles, bound, obstacle_limits_.most_pairs);
     if (!best.word && best.complete && no_more && !stop_.stop_requested()) {
       solution.possible = false;
       return solution;
@@ -137,9 +166,10 @@ Solution ObstacleSolver::optimal() {
 
 Solution ObstacleSolver::fewest() {
   Solution solution{.distance = away(start_.a)};
+  solution.no_room = !room_at_goal();
   const double bound = std::nextafter(limits_.tolerance, kAny);
   solution.least_cycles = least_cycles();
-  if (solution.least_cycles <= limits_.cycles) {
+  if (!solution.no_room && solution.least_cycles <= limits_.cycles) {
     ValidWord found = fewest_within(start_, limits_.cycles, bound);
     if (found.word) {
       solution.word = std::move(*found.word);
@@ -154,7 +184,8 @@ Solution ObstacleSolver::fewest() {
 }
 
 void ObstacleSolver::go_farther(Solution& solution, Method method) {
-  const PathField field(passage_.surroundings(), {start_.a.x, start_.a.y}, {goal_.x, goal_.y});
+  const PathField field(passage_.surroundings(), {start_.a.x, start_.a.y}, {goal_.x, goal_.y}, stop_);
+  if (stop_.stop_requested()) return;
   Approach approach(mechanism_, passage_, field, start_, limits_.max_cycles);
   const double met = std::nextafter(limits_.tolerance, kAny);
   const auto take = [&](int node, const ValidWord& last) {
@@ -168,17 +199,19 @@ void ObstacleSolver::go_farther(Solution& solution, Method method) {
   for (double near = 0.7 * limits_.cycles * mechanism_.longest_cycle(); near > 0.02; near *= 0.6) {
     const int node = approach.go_on(near, obstacle_limits_.most_nodes);
     if (node < 0 || stop_.stop_requested()) break;
+    if (solution.no_room) continue;
     const int left = std::min(limits_.cycles, limits_.max_cycles - approach.cycles(node));
     if (left <= 0) break;
     const Stance& from = approach.stance(node);
-    take(node, method == Method::kFewest ? fewest_within(from, left, met) : best_within(from, left, met));
+    take(node,
+         method == Method::kFewest ? fewest_within(from, left, met) : best_within(from, left, met, obstacle_limits_.most_pairs));
     if (solution.distance <= limits_.tolerance || stop_.stop_requested()) return;
   }
   // The tolerance cannot be met this way: as near as possible then.
   const int nearest = approach.nearest();
   if (heading_met(approach.stance(nearest).a)) take(nearest, {Word{}, away(approach.stance(nearest).a), 0.0, true});
   const int left = std::min(limits_.cycles, limits_.max_cycles - approach.cycles(nearest));
-  if (left > 0) take(nearest, best_within(approach.stance(nearest), left, solution.distance));
+  if (left > 0) take(nearest, best_within(approach.stance(nearest), left, solution.distance, obstacle_limits_.most_pairs / 10));
 }
 
 Solution ObstacleSolver::greedy_words() {

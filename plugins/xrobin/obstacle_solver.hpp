@@ -30,13 +30,15 @@ class ObstacleSolver {
   Solution greedy_words();
   Solution brute_force();
   // The nearest valid word of at most `cycles` cycles from a stance, of the fewest cycles among equally good ones.
-  ValidWord best_within(const Stance& from, int cycles, double bound);
+  ValidWord best_within(const Stance& from, int cycles, double bound, std::size_t most_pairs);
   // The valid word of the fewest cycles that ends nearer than `bound`.
   ValidWord fewest_within(const Stance& from, int cycles, double bound);
   // With an approach before the exact search; betters `solution` if it can.
   void go_farther(Solution& solution, Method method);
   // Proved: no walk to the goal is of fewer cycles. One more than max_cycles if there is no way at all.
   int least_cycles() const;
+  // False if it is proved that the robot cannot stand anywhere within the tolerance of the goal.
+  bool room_at_goal() const;
   // The end of a word from `from`, and the configuration there.
   Stance after(const Stance& from, const Word& word) const;
   double away(const PlanarPose& at) const { return std::hypot(at.x - goal_.x, at.y - goal_.y); }

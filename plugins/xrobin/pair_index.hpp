@@ -11,6 +11,7 @@
 
 #include "box_tree.hpp"
 #include "half_cycles.hpp"
+#include "near_map.hpp"
 
 namespace foothold::xrobin {
 
@@ -29,24 +30,17 @@ struct Cells {
   }
 };
 
-// One bit for each cell: whether a suffix lies within `radius` of the cell.
-struct NearMap {
-  float radius = 0.0F;  // m
-  float per_metre = 0.0F;
-  float offset = 0.0F;  // of the grid's corner from the origin, in cells
-  std::uint32_t columns = 0;
-  std::vector<std::uint32_t> bits;
-};
-
 // Immutable; any thread.
 struct PairIndex {
   static constexpr float kMargin = 2e-7F;  // m
-  static constexpr int kScales = 4;
+  static constexpr int kScales = 6;
 
-  PairIndex(const PoseLevel& level, const Turns& turns);
+  // `travel`: of the slot, in m; squares and cells are sized to it.
+  PairIndex(const PoseLevel& level, const Turns& turns, double travel);
 
   double reach = 0.0;                        // greatest |q|, m
   std::vector<Cluster> prefix_clusters;      // by heading, then place; one more at the end
+  std::vector<float> prefix_x, prefix_y;     // of the prefix clusters once more, side by side for the scan
   std::vector<std::uint32_t> turn_clusters;  // first cluster of each heading; one more at the end
   Points prefixes;
   Cells cells;                               // of the suffix clusters

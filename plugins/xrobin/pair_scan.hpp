@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "pair_search.hpp"
@@ -12,7 +13,7 @@ namespace foothold::xrobin {
 // One pass over the pairs of an index: the target as each heading sees it, and a sink for what lies within reach.
 //
 // Sink: double bound() const, m: pairs farther away are of no interest, may shrink; double inner() const, m: nor are pairs nearer
-// than this, constant; void take(const Pair&), called for every pair in between, at least.
+// than this, constant; live(), the prefixes to look at or null for all; void take(const Pair&), called for every pair in between.
 template <class Sink>
 class PairScan {
  public:
@@ -37,16 +38,12 @@ class PairScan {
       if (target_.heading && !leads_to_heading_[turn]) continue;
       vx_ = shift_x_[turn];
       vy_ = shift_y_[turn];
-      for (std::size_t k = index_.turn_clusters[turn]; k < index_.turn_clusters[turn + 1] && !stopped_; k += stride) {
-        look();
-        const Cluster& cluster = index_.prefix_clusters[k];
-        const float ux = vx_ + cluster.x;
-        const float uy = vy_ + cluster.y;
-        if (map_ == nullptr)
-          visit_tree(k, ux, uy);
-        else if (is_near(ux, uy))
-          visit_cells(k, ux, uy);
-      }
+      const std::size_t end = index_.turn_clusters[turn + 1];
+      for (std::size_t k = index_.turn_clusters[turn]; k < end && !stopped_;)
+        if (stride == 1 && map_ != nullptr)
+          k = pass_block(k, std::min(end, k + kBlock));
+        else
+          visit(k), k += stride;
     }
   }
 
@@ -55,6 +52,79 @@ class PairScan {
  private:
   // Clusters between two looks at the stop token.
   static constexpr std::uint32_t kLookEvery = 16384;
+  // Clusters that are held against one map at once; the radius, and with it the map, may shrink between two blocks.
+  static constexpr std::size_t kBlock = 2048;
+
+  std::size_t pass_block(std::size_t from, std::size_t to) {
+    const NearMap& map = *map_;
+    const std::size_t found =
+        near_places(map, index_.prefix_x.data() + from, index_.prefix_y.data() + from, to - from, vx_, vy_, found_.data());
+    if (stop_.stop_requested()) stopped_ = true;
+    // In three rounds, so that the processor waits for memory once for many clusters: which cells, which suffix clusters, compare.
+    const float around = radius_ + index_.widest_prefix_cluster;
+    for (std::size_t i = 0; i < found; ++i) {
+      const std::size_t k = from + found_[i];
+      windows_[i] = window_round(vx_ + index_.prefix_x[k], vy_ + index_.prefix_y[k], around);
+      __builtin_prefetch(&index_.cell_clusters[windows_[i].first]);
+      __builtin_prefetch(&index_.cell_clusters[windows_[i].last]);
+    }
+    ranges_.clear();
+    for (std::size_t i = 0; i < found; ++i) {
+      const Window& window = windows_[i];
+      for (std::uint32_t line = window.first; line <= window.last; line += static_cast<std::uint32_t>(index_.cells.columns)) {
+        const std::uint32_t begin = index_.cell_clusters[line];
+        const std::uint32_t end = index_.cell_clusters[line + window.width];
+        if (begin == end) continue;
+        __builtin_prefetch(&index_.suffix_clusters[begin]);
+        ranges_.push_back({from + found_[i], begin, end});
+      }
+    }
+    for (const Range& range : ranges_) {
+      if (!is_live(range.prefix)) continue;
+      const float ux = vx_ + index_.prefix_x[range.prefix];
+      const float uy = vy_ + index_.prefix_y[range.prefix];
+      for (std::uint32_t s = range.begin; s < range.end; ++s) try_clusters(range.prefix, s, ux, uy);
+      if (stopped_) break;
+    }
+    return to;
+  }
+
+  // Cells that a square of half width `around` meets: lines of `width` cells, the first and the last beginning at these cells.
+  struct Window {
+    std::uint32_t first, last, width;
+  };
+  // Suffix clusters to be held against a prefix cluster.
+  struct Range {
+    std::size_t prefix;
+    std::uint32_t begin, end;
+  };
+
+  Window window_round(float x, float y, float around) const {
+    const Cells& cells = index_.cells;
+    const std::uint32_t left = cells.of(x - around), right = cells.of(x + around);
+    const std::uint32_t bottom = cells.of(y - around), top = cells.of(y + around);
+    const auto columns = static_cast<std::uint32_t>(cells.columns);
+    return {bottom * columns + left, top * columns + left, right - left + 1};
+  }
+
+  // Whether any of its prefixes is to be looked at.
+  bool is_live(std::size_t cluster) const {
+    const std::vector<char>* live = sink_.live();
+    if (live == nullptr) return true;
+    const auto& ids = index_.prefixes.id;
+    for (std::uint32_t k = index_.prefix_clusters[cluster].begin; k < index_.prefix_clusters[cluster + 1].begin; ++k)
+      if ((*live)[ids[k]]) return true;
+    return false;
+  }
+
+  void visit(std::size_t k) {
+    look();
+    if (!is_live(k)) return;
+    if (map_ == nullptr)
+      visit_tree(k);
+    else if (map_->at(vx_ + index_.prefix_x[k], vy_ + index_.prefix_y[k]))
+      visit_cells(k);
+  }
 
   void look() {
     if (++looks_ % kLookEvery == 0 && stop_.stop_requested()) stopped_ = true;
@@ -84,27 +154,18 @@ class PairScan {
       }
   }
 
-  bool is_near(float x, float y) const {
-    const auto column = static_cast<std::int32_t>(x * map_->per_metre + map_->offset);
-    const auto row = static_cast<std::int32_t>(y * map_->per_metre + map_->offset);
-    if (static_cast<std::uint32_t>(column) >= map_->columns || static_cast<std::uint32_t>(row) >= map_->columns) return false;
-    const std::uint32_t bit = static_cast<std::uint32_t>(row) * map_->columns + static_cast<std::uint32_t>(column);
-    return (map_->bits[bit / 32] >> (bit % 32) & 1u) != 0;
+  void visit_cells(std::size_t k) {
+    const float ux = vx_ + index_.prefix_x[k];
+    const float uy = vy_ + index_.prefix_y[k];
+    const Window window = window_round(ux, uy, radius_ + index_.prefix_clusters[k].spread);
+    for (std::uint32_t line = window.first; line <= window.last; line += static_cast<std::uint32_t>(index_.cells.columns))
+      for (std::uint32_t s = index_.cell_clusters[line]; s < index_.cell_clusters[line + window.width]; ++s)
+        try_clusters(k, s, ux, uy);
   }
 
-  void visit_cells(std::size_t k, float ux, float uy) {
-    const float around = radius_ + index_.prefix_clusters[k].spread;
-    const Cells& cells = index_.cells;
-    const std::uint32_t left = cells.of(ux - around), right = cells.of(ux + around);
-    const std::uint32_t bottom = cells.of(uy - around), top = cells.of(uy + around);
-    for (std::uint32_t row = bottom; row <= top; ++row) {
-      const std::size_t line = static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.columns);
-      const std::uint32_t end = index_.cell_clusters[line + right + 1];
-      for (std::uint32_t s = index_.cell_clusters[line + left]; s < end; ++s) try_clusters(k, s, ux, uy);
-    }
-  }
-
-  void visit_tree(std::size_t k, float ux, float uy) {
+  void visit_tree(std::size_t k) {
+    const float ux = vx_ + index_.prefix_x[k];
+    const float uy = vy_ + index_.prefix_y[k];
     const float spread = index_.prefix_clusters[k].spread;
     index_.suffix_tree.visit(
         ux, uy, [&] { return stopped_ ? -1.0F : radius_ + spread; }, [&](std::uint32_t s) { try_clusters(k, s, ux, uy); });
@@ -112,19 +173,23 @@ class PairScan {
 
   void try_clusters(std::size_t prefix_cluster, std::size_t suffix_cluster, float ux, float uy) {
     look();
-    const Cluster& prefix = index_.prefix_clusters[prefix_cluster];
     const Cluster& suffix = index_.suffix_clusters[suffix_cluster];
     const float dx = suffix.x - ux;
     const float dy = suffix.y - uy;
-    const float most = radius_ + prefix.spread + suffix.spread;
     const float square = dx * dx + dy * dy;
+    const float at_most = radius_ + index_.widest_prefix_cluster + suffix.spread;
+    if (square > at_most * at_most) return;
+    const Cluster& prefix = index_.prefix_clusters[prefix_cluster];
+    const float most = radius_ + prefix.spread + suffix.spread;
     if (square > most * most) return;
     const float least = inner_ - prefix.spread - suffix.spread;
     if (least > 0.0F && square < least * least) return;
     const Points& p = index_.prefixes;
     const Points& q = index_.suffixes;
     const std::uint32_t suffix_end = index_.suffix_clusters[suffix_cluster + 1].begin;
+    const std::vector<char>* live = sink_.live();
     for (std::uint32_t k = prefix.begin; k < index_.prefix_clusters[prefix_cluster + 1].begin; ++k) {
+      if (live != nullptr && !(*live)[p.id[k]]) continue;
       const float px = vx_ + p.x[k];
       const float py = vy_ + p.y[k];
       for (std::uint32_t s = suffix.begin; s < suffix_end; ++s) {
@@ -164,6 +229,9 @@ class PairScan {
   const NearMap* map_ = nullptr;  // null: the radius is beyond every map
   float vx_ = 0.0F, vy_ = 0.0F;   // the target's shift at the heading at hand
   std::vector<float> shift_x_, shift_y_;
+  std::array<std::uint32_t, kBlock> found_;
+  std::array<Window, kBlock> windows_;
+  std::vector<Range> ranges_;
   std::vector<char> allowed_, leads_to_heading_;
 };
 

@@ -15,6 +15,7 @@ class Nearest {
   explicit Nearest(double bound) : bound_(bound) {}
   double bound() const { return bound_; }
   static double inner() { return 0.0; }
+  static const std::vector<char>* live() { return nullptr; }
   void take(const Pair& pair) {
     best = pair;
     bound_ = pair.distance;
@@ -31,6 +32,7 @@ class NearestMany {
       : range_(range), wanted_(wanted), bound_(range.outer) {}
   double bound() const { return bound_; }
   double inner() const { return range_.inner; }
+  const std::vector<char>* live() const { return range_.live; }
 
   void take(const Pair& pair) {
     if (!wanted_(pair)) return;
@@ -80,7 +82,7 @@ Target seen_from(const PlanarPose& from, const Target& goal) {
 }
 
 PairSearch::PairSearch(const HalfCycles& half_cycles, int n)
-    : half_cycles_(&half_cycles), n_(n), index_(half_cycles.level(n), half_cycles.turns()) {}
+    : half_cycles_(&half_cycles), n_(n), index_(half_cycles.level(n), half_cycles.turns(), half_cycles.mechanism().travel()) {}
 
 std::optional<Pair> PairSearch::closest(const Target& target, double bound, const std::stop_token& stop) const {
   // Where `bound` says little, small ones are tried first: with a heading wanted, few of the points near by are of use.

@@ -35,6 +35,7 @@ struct PairRange {
   double inner = 0.0;
   double outer = 0.0;
   std::size_t most = 0;
+  const std::vector<char>* live = nullptr;  // of each prefix: pairs of those that are 0 are left out
 };
 
 // In the order of the distance; all there are that are nearer than `complete_to` (m).

@@ -13,11 +13,13 @@ using geometry::Vector2d;
 
 constexpr double kMargin = 0.4;  // m round everything: ways round the outermost obstacles
 constexpr double kMostCells = 250000.0;
+constexpr std::size_t kLookEvery = 1024;  // cells between two looks at the stop token
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-PathField::PathField(const Surroundings& surroundings, const Vector2d& start, const Vector2d& goal) : goal_(goal) {
+PathField::PathField(const Surroundings& surroundings, const Vector2d& start, const Vector2d& goal, const std::stop_token& stop)
+    : goal_(goal) {
   Vector2d low = start.cwiseMin(goal);
   Vector2d high = start.cwiseMax(goal);
   for (const geometry::Obstacle& obstacle : surroundings.obstacles())
@@ -35,7 +37,10 @@ PathField::PathField(const Surroundings& surroundings, const Vector2d& start, co
                     corner_.y() + (static_cast<double>(k / static_cast<std::size_t>(columns_)) + 0.5) * cell_);
   };
   std::vector<char> room(cells);
-  for (std::size_t k = 0; k < cells; ++k) room[k] = surroundings.room_for_a(centre(k).x(), centre(k).y()) ? 1 : 0;
+  for (std::size_t k = 0; k < cells; ++k) {
+    if (k % kLookEvery == 0 && stop.stop_requested()) return;
+    room[k] = surroundings.room_for_a(centre(k).x(), centre(k).y()) ? 1 : 0;
+  }
 
   // From the cells with room that are nearest to the goal: from its own one if it has room.
   distance_.assign(cells, kInfinity);
@@ -48,7 +53,8 @@ PathField::PathField(const Surroundings& surroundings, const Vector2d& start, co
     const double away = (centre(k) - goal).norm();
     if (room[k] && away <= least + cell_) distance_[k] = static_cast<float>(away), open.emplace(distance_[k], k);
   }
-  while (!open.empty()) {
+  for (std::size_t looks = 0; !open.empty(); ++looks) {
+    if (looks % kLookEvery == 0 && stop.stop_requested()) return;
     const auto [length, k] = open.top();
     open.pop();
     if (length > distance_[k]) continue;

@@ -2,6 +2,7 @@
 // approach.
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "surroundings.hpp"
@@ -13,7 +14,9 @@ class PathField {
  public:
   // Over a rectangle that holds start, goal and all obstacles. Distances are along the grid's eight directions, so up to 8 % too
   // long.
-  PathField(const Surroundings& surroundings, const geometry::Vector2d& start, const geometry::Vector2d& goal);
+  // Stopped, it is of no use.
+  PathField(const Surroundings& surroundings, const geometry::Vector2d& start, const geometry::Vector2d& goal,
+            const std::stop_token& stop);
   // m; infinite where no way leads to the goal; beside the grid the straight distance to it and the way from there.
   double distance(double x, double y) const;
 

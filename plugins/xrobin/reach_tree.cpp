@@ -30,9 +30,15 @@ PlanarPose ReachTree::pose(int n, std::uint32_t id) const {
 // Whether the pose below can be stood on, and the configuration taken from there.
 bool ReachTree::leads(int n, std::uint32_t below, int configuration) {
   // Backward there is no motion at the root: the robot stands there at the end of its plan.
-  if (n == 1 && configuration_ == 0) return true;
+  if (n == 1 && configuration_ == 0)
+    return passage_->surroundings().clear_at_rest({root_, root_ * half_cycles_->mechanism().b_in_a(configuration)});
   const ConfigurationSet before = reach(n - 1, below);
   return before != 0 && passage_->connected((n - 1) % 2 == 0, pose(n - 1, below), before, set_of(configuration));
+}
+
+bool ReachTree::refuted(int n, std::uint32_t id) const {
+  const Memo& memo = memo_[static_cast<std::size_t>(n)];
+  return memo.epoch[id] == epoch_ && memo.reach[id] == 0;
 }
 
 ConfigurationSet ReachTree::reach(int n, std::uint32_t id) {

@@ -18,6 +18,8 @@ class ReachTree {
   void plant(const PlanarPose& root, int configuration);
   // The configurations in which pose `id` of level `n` can be arrived at; empty: it cannot be reached.
   ConfigurationSet reach(int n, std::uint32_t id);
+  // Whether it is known already that the pose cannot be reached.
+  bool refuted(int n, std::uint32_t id) const;
   // The pose in the world.
   PlanarPose pose(int n, std::uint32_t id) const;
   // A valid chain from the root to the pose arriving in one of `arrivals`, which must meet reach(n, id): the configurations

@@ -15,6 +15,14 @@ std::string text(const Parts&... parts) {
 
 void name_the_shortfall(PlanReport& report, const Limits& limits, const Solution& solution, double goal_distance, double reach) {
   report.outcome = PlanReport::Outcome::kPartial;
+  if (solution.no_room) {
+    report.error = PlanError::kCollision;
+    report.field = "goal.base.position";
+    report.message = text("obstacles leave the robot no room to stand within ", limits.tolerance, " m of the goal; the plan ends ",
+                          solution.distance, " m away from it");
+    report.hint = "move the goal, or lower clearance";
+    return;
+  }
   if (solution.no_way) {
     report.error = PlanError::kNoPath;
     report.field = "goal.base.position";

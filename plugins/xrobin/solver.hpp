@@ -32,6 +32,7 @@ struct Solution {
   int least_cycles = 0;  // proved: no word of fewer cycles meets the tolerance
   bool possible = true;  // false: no word of any length ends in the wanted heading
   bool no_way = false;   // proved: obstacles part the start from the goal
+  bool no_room = false;  // proved: obstacles leave no room to stand at the goal
   bool stopped = false;
 };
 

@@ -1,17 +1,17 @@
 // Xrobin among obstacles: whether a posture, or the whole way from one configuration to the next, keeps clear of them.
 //
-// The way is judged without gaps: at each posture looked at, the distance to an obstacle is compared with how far any point of the
-// moving body can be from where it is there on the rest of the interval; if that leaves no doubt the interval is clear, else it is
-// halved.
+// The way is judged without gaps: at each posture looked at, the distance to an obstacle is compared with how far any point of
+// what moves can be from where it is there on the rest of the interval (sweep.hpp); if that leaves no doubt the interval is
+// clear, else it is halved.
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "body.hpp"
 #include "geometry/plane_scene.hpp"
-#include "ring.hpp"
+#include "sweep.hpp"
 
 namespace foothold::xrobin {
 
@@ -32,31 +32,26 @@ class Surroundings {
     std::size_t obstacle;
   };
   Nearest nearest(const BodyPoses& poses) const;
+  // Whether bodies and pistons keep their clearance in a posture.
+  bool clear_at_rest(const BodyPoses& poses) const;
   // False if body A cannot stand with its centre here in any heading.
   bool room_for_a(double x, double y) const;
 
   const std::vector<geometry::Obstacle>& obstacles() const { return obstacles_; }
   double clearance() const { return clearance_; }
-  const Ring& ring() const { return ring_; }
+  const Ring& ring() const { return *ring_; }
   const Bodies& bodies() const { return bodies_; }
 
  private:
-  // What moves, at one posture: the body, and the pistons' pins, in the frame of the body that holds.
-  struct Moving {
-    PlanarPose body;
-    std::array<PistonAxis, 2> pistons;
-  };
-  Moving moving_at(bool a_holds, const SlotPosture& at) const;
-  double distance_to(const Moving& moving, bool a_holds, std::span<const geometry::Vector2d> obstacle, double enough) const;
-  bool interval_clear(bool a_holds, const RingEdge& edge, double from, double to,
-                      std::span<const geometry::Vector2d> obstacle) const;
+  bool interval_clear(const Sweep& sweep, std::size_t interval, std::span<const geometry::Vector2d> obstacle) const;
+  std::array<Box, 4> boxes(const BodyPoses& poses) const;
 
-  Ring ring_;
+  std::shared_ptr<const Ring> ring_;  // the sweeps point into it
   Bodies bodies_;
   std::vector<geometry::Obstacle> obstacles_;
   std::vector<geometry::Circle> circles_;  // round the obstacles
   double clearance_;
-  std::array<std::array<geometry::Circle, kConfigurations>, 2> swept_;  // [a holds][edge], in the frame of the body that holds
+  std::array<std::vector<Sweep>, 2> sweeps_;  // [a holds][edge]
 };
 
 }  // namespace foothold::xrobin

@@ -8,8 +8,11 @@ namespace foothold::xrobin {
 namespace {
 
 constexpr std::size_t kFirstBatch = 2048;
-constexpr double kRounding = 1e-6;  // m
-constexpr double kSameEnd = 1e-10;  // m and rad
+constexpr std::size_t kLastBatch = 32768;  // sorting more would take longer than a stop may wait
+constexpr std::size_t kPatience = 3000;    // pairs
+constexpr double kNearGoal = 5e-3;         // m: bodies would become too thin to be of use
+constexpr double kRounding = 1e-6;         // m
+constexpr double kSameEnd = 1e-10;         // m and rad
 
 bool same(const PlanarPose& a, const PlanarPose& b) {
   return distance(a, b) < kSameEnd && std::abs(wrapped(a.heading - b.heading)) < kSameEnd;
@@ -18,13 +21,15 @@ bool same(const PlanarPose& a, const PlanarPose& b) {
 }  // namespace
 
 ValidPairs::ValidPairs(const HalfCycles& half_cycles, const Origins& origins, Passage& passage, const geometry::Geodesic& ways,
-                       int most_cycles, std::size_t most_pairs)
-    : passage_(&passage),
+                       int most_cycles)
+    : half_cycles_(&half_cycles),
+      origins_(&origins),
+      passage_(&passage),
       ways_(&ways),
       travel_(half_cycles.mechanism().travel()),
       forward_(half_cycles, origins, passage, most_cycles),
       backward_(half_cycles, origins, passage, most_cycles),
-      most_pairs_(most_pairs) {
+      most_cycles_(most_cycles) {
   const Block& a = passage.surroundings().bodies().a;
   beside_ = std::min(a.half_x, a.half_y - travel_);
 }
@@ -38,6 +43,12 @@ bool ValidPairs::too_far(const PairSearch& search, const Pair& pair) {
     way = static_cast<float>(ways_->distance({middle.x, middle.y}));
   }
   return way > search.cycles() * travel_ + pair.distance + kRounding;
+}
+
+const std::vector<char>& ValidPairs::live_prefixes(int n) {
+  live_.resize(half_cycles_->level(n).size());
+  for (std::uint32_t id = 0; id < live_.size(); ++id) live_[id] = forward_.refuted(n, id) ? 0 : 1;
+  return live_;
 }
 
 std::optional<Word> ValidPairs::walkable(const PairSearch& search, const Pair& pair) {
@@ -59,7 +70,7 @@ std::optional<Word> ValidPairs::walkable(const PairSearch& search, const Pair& p
 }
 
 ValidWord ValidPairs::nearest(const PairSearch& search, const Stance& start, const Target& goal, double bound,
-                              const std::stop_token& stop) {
+                              std::size_t most_pairs, const std::stop_token& stop) {
   start_ = start;
   forward_.plant(start.a, start.configuration);
   end_planted_ = false;
@@ -73,17 +84,28 @@ ValidWord ValidPairs::nearest(const PairSearch& search, const Stance& start, con
   if (!first) return out;
 
   const Surroundings& surroundings = passage_->surroundings();
-  const auto wanted = [&](const Pair& pair) {
-    if (++seen > most_pairs_ || stop.stop_requested()) return false;
-    const PlanarPose end = start.a * search.end(pair);
-    return !too_far(search, pair) && surroundings.room_for_a(end.x, end.y) && forward_.reach(search.cycles(), pair.prefix) != 0;
-  };
+  const int n = search.cycles();
   double outer = 1.5 * first->distance + 1e-6;
+  near_goal_.reset();
+  const auto wanted = [&](const Pair& pair) {
+    if (++seen > most_pairs || stop.stop_requested()) return false;
+    // What costs little first.
+    if (forward_.refuted(n, pair.prefix) || too_far(search, pair)) return false;
+    const PlanarPose end = start.a * search.end(pair);
+    if (!surroundings.room_for_a(end.x, end.y) || forward_.reach(n, pair.prefix) == 0) return false;
+    return !near_goal_ || near_goal_->may_lead(n, pair.suffix, end);
+  };
   std::size_t most = kFirstBatch;
+  const std::vector<char>* live = nullptr;
   while (out.excluded_to < bound) {
-    const std::optional<PairBatch> batch = search.batch(local, {out.excluded_to, std::min(outer, bound), most}, wanted, stop);
+    // Few pairs are judged faster one by one.
+    const double farthest = std::min(outer, bound);
+    if (seen > kPatience && farthest < kNearGoal && (!near_goal_ || near_goal_->radius() < farthest))
+      near_goal_.emplace(*half_cycles_, *origins_, surroundings, most_cycles_, goal, start.a.heading, farthest, stop);
+    if (seen > kPatience) live = &live_prefixes(n);
+    const std::optional<PairBatch> batch = search.batch(local, {out.excluded_to, farthest, most, live}, wanted, stop);
     if (!batch || stop.stop_requested()) return {};
-    if (seen > most_pairs_) {
+    if (seen > most_pairs) {
       out.complete = false;
       return out;
     }
@@ -97,7 +119,7 @@ ValidWord ValidPairs::nearest(const PairSearch& search, const Stance& start, con
     }
     out.excluded_to = batch->complete_to;
     if (batch->complete_to >= outer) outer *= 2.0;
-    most *= 2;
+    most = std::min(8 * most, kLastBatch);
   }
   return out;
 }

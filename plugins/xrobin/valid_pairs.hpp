@@ -11,8 +11,7 @@
 #pragma once
 
 #include "geometry/geodesic.hpp"
-#include "pair_search.hpp"
-#include "reach_tree.hpp"
+#include "near_goal.hpp"
 
 namespace foothold::xrobin {
 
@@ -26,18 +25,24 @@ struct ValidWord {
 // Not thread-safe; for one request. Keeps references to its arguments.
 class ValidPairs {
  public:
-  // `most_pairs` are looked at in one call. `ways` lead to the goal of all calls.
+  // `ways` lead to the goal of all calls.
   ValidPairs(const HalfCycles& half_cycles, const Origins& origins, Passage& passage, const geometry::Geodesic& ways,
-             int most_cycles, std::size_t most_pairs);
+             int most_cycles);
 
   // The nearest word of exactly search.cycles() cycles that is nearer to the goal (in the world) than `bound`, from `start`.
-  ValidWord nearest(const PairSearch& search, const Stance& start, const Target& goal, double bound, const std::stop_token& stop);
+  // Gives up after `most_pairs`.
+  ValidWord nearest(const PairSearch& search, const Stance& start, const Target& goal, double bound, std::size_t most_pairs,
+                    const std::stop_token& stop);
 
  private:
   // Whether the goal is too far from the middle of the pair, on foot, for the half cycles that are left.
   bool too_far(const PairSearch& search, const Pair& pair);
+  // Which prefixes are not known to be out of reach.
+  const std::vector<char>& live_prefixes(int n);
   std::optional<Word> walkable(const PairSearch& search, const Pair& pair);
 
+  const HalfCycles* half_cycles_;
+  const Origins* origins_;
   Passage* passage_;
   const geometry::Geodesic* ways_;
   double travel_;  // m, in the slot
@@ -47,7 +52,9 @@ class ValidPairs {
   Stance start_;
   PlanarPose end_;
   bool end_planted_ = false;
-  std::size_t most_pairs_;
+  int most_cycles_;
+  std::optional<NearGoal> near_goal_;  // once many pairs have been looked at
+  std::vector<char> live_;
   std::vector<float> way_from_;  // from the pose of each prefix to the goal; negative: not yet asked
 };
 

@@ -7,7 +7,8 @@
 
 #include "figures.hpp"
 #include "foothold/robot_file.hpp"
-#include "solver.hpp"
+#include "obstacle_solver.hpp"
+#include "scenery.hpp"
 
 namespace {
 
@@ -140,6 +141,38 @@ int disagreements(Solver& solver, std::mt19937_64& random, int count) {
   return out;
 }
 
+struct Hindered {
+  std::vector<double> ms;
+  int reached = 0;
+  int proved = 0;
+};
+
+// Goals among ten obstacles of 50 mm, thrown round the start: within reach of the cycles if nothing were in the way.
+Hindered among_obstacles(Solver& solver, const foothold::RobotModel& model, Method method, int count) {
+  solver.prepare(method, kCycles, 0, true, {});
+  const Mechanism& m = solver.mechanism();
+  const Ring ring(m);
+  const Bodies bodies = Bodies::from_model(model, m);
+  const Limits limits{.cycles = kCycles, .max_cycles = 70, .tolerance = 1e-3};
+  std::mt19937_64 random(50);
+  Hindered out;
+  while (static_cast<int>(out.ms.size()) < count) {
+    const Surroundings surroundings(ring, bodies, random_obstacles(random, 10, 0.13, 0.6, 0.05), 0.001);
+    const Target goal = targets_in_disc(random, 1, 0.4).front();
+    if (surroundings.nearest({{}, m.b_in_a(1)}).distance <= 0.001 || !surroundings.room_for_a(goal.x, goal.y)) continue;
+    Solution solution;
+    out.ms.push_back(time_ms([&] {
+      Passage passage(surroundings, {});
+      solution = ObstacleSolver(solver, passage, {{}, 1}, goal, limits, {}, {}).solve(method);
+    }));
+    if (solution.distance <= limits.tolerance) ++out.reached;
+    const auto cycles = static_cast<int>(solution.word.size() / 2);
+    if (method == Method::kFewest ? cycles <= solution.least_cycles : solution.distance - solution.least_distance < 1e-9)
+      ++out.proved;
+  }
+  return out;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -171,6 +204,15 @@ int main(int count, char** words) {
   const double brute_3 = time_ms([&] { four = best_of_all_words(mechanism, 3, at(0.2, 0.1), {}); });
   const double brute_4 = time_ms([&] { four = best_of_all_words(mechanism, 4, at(0.2, 0.1), {}); });
 
+  const int scenes = quick ? 40 : 400;
+  const Hindered optimal_among = among_obstacles(solver, model, Method::kOptimal, scenes);
+  const Hindered fewest_among = among_obstacles(solver, model, Method::kFewest, scenes);
+  std::printf("\namong ten obstacles (%d scenes), ms\n%-10s %10s %10s %10s %10s %10s\n", scenes, "", "median", "p99", "worst",
+              "reached", "proved");
+  for (const auto& [name, h] : {std::pair{"optimal", &optimal_among}, {"fewest", &fewest_among}})
+    std::printf("%-10s %10.2f %10.2f %10.2f %9.1f%% %9.1f%%\n", name, percentile(h->ms, 0.5), percentile(h->ms, 0.99),
+                percentile(h->ms, 1.0), 100.0 * h->reached / scenes, 100.0 * h->proved / scenes);
+
   const auto add = [&](const char* name, double value, const char* unit, std::optional<double> goal, std::optional<double> paper) {
     figures.push_back({name, value, unit, "less", goal, paper, paper ? "paper, MATLAB" : ""});
   };
@@ -196,5 +238,10 @@ int main(int count, char** words) {
   add("brute_force_disagreements", differ, "1", 0.0, {});
   add("brute_force_3_cycles", brute_3, "ms", {}, 5432.0);
   add("brute_force_4_cycles", brute_4, "ms", {}, 352634.0);
+  add("obstacles_optimal_median", percentile(optimal_among.ms, 0.5), "ms", {}, kPaperMs);
+  add("obstacles_optimal_p99", percentile(optimal_among.ms, 0.99), "ms", {}, kPaperMs);
+  add("obstacles_fewest_median", percentile(fewest_among.ms, 0.5), "ms", {}, kPaperMs);
+  add("obstacles_unreached", 100.0 - 100.0 * optimal_among.reached / scenes, "%", {}, {});
+  add("obstacles_fewest_unproved", 100.0 - 100.0 * fewest_among.proved / scenes, "%", {}, {});
   foothold::bench::report("xrobin", figures);
 }

@@ -50,12 +50,13 @@ bool enters(const Polygon& polygon, const Vector2d& from, const Vector2d& to) {
 
 }  // namespace
 
-Geodesic::Geodesic(const Vector2d& goal, const std::vector<Polygon>& obstacles) : goal_(goal), obstacles_(obstacles) {
+Geodesic::Geodesic(const Vector2d& goal, const std::vector<Polygon>& obstacles, const std::stop_token& stop)
+    : goal_(goal), obstacles_(obstacles) {
   for (const Polygon& polygon : obstacles_) circles_.push_back(circle_round(polygon));
   std::vector<Corner> open;
   for (const Polygon& polygon : obstacles_)
     for (const Vector2d& corner : polygon) open.push_back({corner, sees(corner, goal) ? (corner - goal).norm() : kInfinity});
-  while (!open.empty()) {
+  while (!open.empty() && !stop.stop_requested()) {
     const auto nearest =
         std::min_element(open.begin(), open.end(), [](const Corner& a, const Corner& b) { return a.distance < b.distance; });
     if (!std::isfinite(nearest->distance)) break;

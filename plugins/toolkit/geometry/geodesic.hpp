@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "geometry/polygon.hpp"
@@ -12,7 +13,8 @@ namespace foothold::geometry {
 class Geodesic {
  public:
   // Obstacles are open sets: a way may run along their edges, so the distance is a lower bound for everything that has a width.
-  Geodesic(const Vector2d& goal, const std::vector<Polygon>& obstacles);
+  // Stopped, it knows fewer ways than there are.
+  Geodesic(const Vector2d& goal, const std::vector<Polygon>& obstacles, const std::stop_token& stop = {});
   // m; infinite where no way leads to the goal. Never more than the true distance but for rounding.
   double distance(const Vector2d& point) const;
 

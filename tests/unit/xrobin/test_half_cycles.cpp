@@ -3,8 +3,10 @@
 
 #include <random>
 
+#include "brute_force.hpp"
 #include "fixtures.hpp"
 #include "half_cycles.hpp"
+#include "workspace.hpp"
 
 namespace foothold::xrobin {
 namespace {
@@ -41,6 +43,37 @@ TEST(HalfCycles, EveryWordOfFourHalfCyclesIsStoodFor) {
       ASSERT_TRUE(found) << code;
     }
   }
+}
+
+TEST(Workspace, HoldsTheEndOfEveryWordAndNothingElse) {
+  HalfCycles poses{mechanism()};
+  ASSERT_TRUE(poses.grow(4, {}));
+  for (int cycles = 1; cycles <= 2; ++cycles) {
+    const std::vector<PlanarPose> workspace_poses = workspace(poses, cycles);
+    std::vector<bool> met(workspace_poses.size(), false);
+    for (const PlanarPose& end : ends_of_all_words(poses.mechanism(), cycles)) {
+      bool found = false;
+      for (std::size_t k = 0; k < workspace_poses.size() && !found; ++k) {
+        found = distance(workspace_poses[k], end) < 1e-10 && std::abs(wrapped(workspace_poses[k].heading - end.heading)) < 1e-10;
+        if (found) met[k] = true;
+      }
+      EXPECT_TRUE(found);
+    }
+    EXPECT_TRUE(std::all_of(met.begin(), met.end(), [](bool m) { return m; }));
+  }
+  EXPECT_EQ(workspace(poses, 1).size(), 55u);
+  EXPECT_EQ(workspace(poses, 2).size(), 2427u);
+}
+
+TEST(Workspace, OfOneCycleIsPartOfThatOfTwo) {
+  // Every plan of fewer cycles is one of more: a cycle of equal configurations goes nowhere.
+  HalfCycles poses{mechanism()};
+  ASSERT_TRUE(poses.grow(4, {}));
+  const std::vector<PlanarPose> two = workspace(poses, 2);
+  for (const PlanarPose& one : workspace(poses, 1))
+    EXPECT_TRUE(std::any_of(two.begin(), two.end(), [&](const PlanarPose& p) {
+      return distance(p, one) < 1e-10 && std::abs(wrapped(p.heading - one.heading)) < 1e-10;
+    }));
 }
 
 TEST(HalfCycles, WordsLeadToTheirPoses) {

@@ -89,11 +89,19 @@ TEST(Surroundings, MeasureTheRobotAtRest) {
 
 TEST(Box, DistanceIsThatOfThePolygons) {
   std::mt19937_64 random(23);
-  for (int round = 0; round < 500; ++round) {
-    const Polygon polygon = random_obstacles(random, 1, 0.0, 0.3, 0.2 * (round % 5))[0].polygon;
-    EXPECT_NEAR(box_distance(0.1, 0.03, polygon), geometry::distance(outline({0.1, 0.03, 0.0}, {}), polygon), 1e-12);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (int round = 0; round < 2000; ++round) {
+    const Polygon polygon = random_obstacles(random, 1, 0.0, 0.3, 0.1 * (round % 9))[0].polygon;
+    const PlanarPose at{0.1 * unit(random), 0.1 * unit(random), 3.0 * unit(random)};
+    const double exact = geometry::distance(outline({0.1, 0.03, 0.0}, at), polygon);
+    EXPECT_NEAR(box_distance(box_at(at, 0.1, 0.03), polygon), exact, 1e-12);
+    const double bound = box_distance(box_at(at, 0.1, 0.03), polygon, 0.02);
+    EXPECT_TRUE(std::abs(bound - exact) < 1e-12 || (bound > 0.02 && bound <= exact + 1e-12));
+    const Vector2d end(0.2 * unit(random), 0.2 * unit(random));
+    EXPECT_NEAR(box_distance(box_between({at.x, at.y}, end, 0.004), polygon),
+                geometry::distance(polygon, Vector2d(at.x, at.y), end) - 0.004, 1e-12);
   }
-  EXPECT_EQ(box_distance(0.1, 0.03, Polygon{{-1, -1}, {1, -1}, {0, 2}}), 0.0);
+  EXPECT_EQ(box_distance(box_at({}, 0.1, 0.03), Polygon{{-1, -1}, {1, -1}, {0, 2}}), 0.0);
 }
 
 TEST(Passage, GoesTheOtherWayRoundTheRingIfTheShorterOneIsBlocked) {
