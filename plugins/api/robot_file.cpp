@@ -24,7 +24,7 @@ constexpr Unit kUnits[] = {{"m", "m", 1.0},         {"cm", "m", 0.01},
                            {"g", "kg", 0.001},      {"s", "s", 1.0},
                            {"ms", "s", 0.001},      {"N", "N", 1.0},
                            {"Nm", "Nm", 1.0},       {"1", "1", 1.0},
-                           {"rad/s", "rad/s", 1.0}, {"rpm", "rad/s", 2.0 * std::numbers::pi / 60.0}};
+                           {"m/s", "m/s", 1.0}, {"rad/s", "rad/s", 1.0}, {"rpm", "rad/s", 2.0 * std::numbers::pi / 60.0}};
 
 // Of a string that may end here: then it is '\0'.
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }

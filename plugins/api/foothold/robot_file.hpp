@@ -5,7 +5,7 @@
 //       retracted: {value: 103, unit: mm, source: "derived: ..."}
 //       limits:    {value: [-90, 90], unit: deg, source: assumed}
 //
-// Units mm, cm, m, deg, rad, g, kg, s, ms, N, Nm, rpm, rad/s, 1 are converted to SI (m, rad, kg, s, N, Nm, rad/s, 1).
+// Units mm, cm, m, deg, rad, g, kg, s, ms, N, Nm, m/s, rpm, rad/s, 1 are converted to SI (m, rad, kg, s, N, Nm, m/s, rad/s, 1).
 #pragma once
 
 #include <stdexcept>

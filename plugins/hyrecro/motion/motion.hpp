@@ -1,0 +1,37 @@
+// The motion of one stride: ten actuators from one stance to the next, free of collisions over the whole path.
+#pragma once
+
+#include <optional>
+#include <random>
+#include <stop_token>
+#include <string>
+
+#include "hyrecro/scene/prepared.hpp"
+
+namespace foothold::hyrecro {
+
+struct MotionOptions {
+  double clearance = 0.005;      // m, of legs and hip; see Obstacles::free
+  double lift = 0.02;            // m: as far the free sole leaves and meets its surface along its normal; without turning
+  double line_tolerance = 5e-4;  // m and rad: how far it may be off that line between two points
+};
+
+// The path is linear in the ten actuators (lengths and hip angles, as to_joints() gives them) between its points.
+struct Motion {
+  std::vector<Coordinates> points;  // looking from the foot that holds; first and last are the stances
+  std::vector<double> times;        // s from the begin, by the actuators' greatest speeds
+  double clearance = 0.0;           // m, proved over the whole path
+};
+
+struct MotionResult {
+  std::optional<Motion> motion;
+  std::string reason;  // why there is none
+};
+
+// `from` and `to` look from the foot that holds at `holding` (world pose of its sole). `free_lifts`: whether the free sole stands
+// on a surface in `from` (not so at a start with one foot in the air). Used by one thread at a time; looks at `stop` every 5 ms.
+MotionResult plan_motion(const Model& model, const Obstacles& obstacles, const Isometry3d& holding, const Coordinates& from,
+                         const Coordinates& to, bool free_lifts, const MotionOptions& options, std::mt19937_64& random,
+                         const std::stop_token& stop);
+
+}  // namespace foothold::hyrecro

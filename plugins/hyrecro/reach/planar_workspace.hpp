@@ -1,0 +1,63 @@
+// Planar workspace: the poses of the free foot in the plane of the foot that holds, on a grid (paper, section 3.2.2, Figures 8 and
+// 9).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "hyrecro/model/chain.hpp"
+
+namespace foothold::hyrecro {
+
+// Pose in a face's plane: metres and radians, heading from the frame's X axis, counter-clockwise seen from outside.
+struct PlanarPose {
+  double x = 0.0, y = 0.0, heading = 0.0;
+};
+Isometry3d to_isometry(const PlanarPose& pose);
+// `b` seen from `a`.
+PlanarPose seen_from(const PlanarPose& a, const PlanarPose& b);
+
+// Immutable after construction; any thread. Grid points are multiples of `position_step`, headings of `heading_step` (which divides
+// 2 pi).
+class PlanarWorkspace {
+ public:
+  // Computes it: every grid pose by exact reachability (self-collisions with `clearance` included, scene not). Some hundred ms at
+  // 0.01 m and 5 deg. Empty if stopped.
+  static std::optional<PlanarWorkspace> make(const Model& model, double position_step, double heading_step, double clearance,
+                                             const std::stop_token& stop = {});
+
+  double position_step() const { return position_step_; }
+  double heading_step() const { return heading_step_; }
+  int headings() const { return headings_; }
+  int extent() const { return extent_; }  // grid indices run from -extent to +extent
+  // i, j in [-extent, extent], k in [0, headings).
+  bool reachable(int i, int j, int k) const;
+  // The conservative solution of a reachable pose: the one whose bodies fill the largest bounding box (paper: "maximizes the
+  // volume").
+  Coordinates conservative(int i, int j, int k) const;
+  // r_max: longest reach along X, m. r_opt: radius of the circle on which most headings are reachable, m (paper, Figure 9).
+  double r_max() const { return r_max_; }
+  double r_opt() const { return r_opt_; }
+  // Grid positions with at least one heading.
+  struct Cell {
+    int i = 0, j = 0;
+    int count = 0;  // reachable headings
+  };
+  const std::vector<Cell>& cells() const { return cells_; }
+
+ private:
+  PlanarWorkspace() = default;
+  std::size_t index(int i, int j, int k) const;
+
+  double position_step_ = 0.0, heading_step_ = 0.0;
+  int headings_ = 0, extent_ = 0;
+  double r_max_ = 0.0, r_opt_ = 0.0;
+  std::vector<Cell> cells_;
+  struct Table;
+  std::shared_ptr<const Table> table_;
+};
+
+}  // namespace foothold::hyrecro

@@ -1,0 +1,30 @@
+// What HyReCRo keeps of a scene: its faces, its solids, its transition footholds, and what later requests find out about them.
+#pragma once
+
+#include <memory>
+
+#include "foothold/planner.hpp"
+#include "hyrecro/reach/planar_workspace.hpp"
+#include "hyrecro/scene/transitions.hpp"
+
+namespace foothold::hyrecro {
+
+// Immutable but for `kept`; used by one thread at a time.
+struct PreparedTruss final : PreparedScene {
+  PreparedTruss(const Model& model, truss::Truss truss, const SamplingOptions& options, double clearance);
+  std::vector<Shape> shapes() const override;  // every face; beams as boxes
+
+  truss::Truss truss;
+  Obstacles obstacles;
+  Transitions transitions;
+  double clearance;                                  // m
+  std::shared_ptr<const PlanarWorkspace> workspace;  // set by the planner, which shares it between scenes
+  // What a search wants to find again in later requests of the same scene (`optimal`: transitions judged, faces' strides). Owned by
+  // the search.
+  struct Kept {
+    virtual ~Kept() = default;
+  };
+  mutable std::unique_ptr<Kept> kept;
+};
+
+}  // namespace foothold::hyrecro
