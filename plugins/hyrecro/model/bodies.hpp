@@ -48,6 +48,9 @@ class Obstacles {
   Nearest nearest(const Bodies& bodies, double reach) const;
   // The same for both plates.
   Nearest nearest_of_plates(const Bodies& bodies, double reach) const;
+  // Of one body alone, m: exact up to `reach` (m), infinite if no solid is so near. For proofs along a path, body by body.
+  double distance(const collision::Capsule& body, double reach) const;
+  double distance(const collision::Box& body, double reach) const;
 
  private:
   struct Tree;

@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <random>
+#include <span>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "hyrecro/scene/prepared.hpp"
 
@@ -29,9 +31,29 @@ struct MotionResult {
 };
 
 // `from` and `to` look from the foot that holds at `holding` (world pose of its sole). `free_lifts`: whether the free sole stands
-// on a surface in `from` (not so at a start with one foot in the air). Used by one thread at a time; looks at `stop` every 5 ms.
+// on a surface in `from` (not so at a start with one foot in the air). No hip joint turns by more than pi / 2 between two points.
+// Used by one thread at a time; looks at `stop` every 5 ms.
 MotionResult plan_motion(const Model& model, const Obstacles& obstacles, const Isometry3d& holding, const Coordinates& from,
                          const Coordinates& to, bool free_lifts, const MotionOptions& options, std::mt19937_64& random,
                          const std::stop_token& stop);
+
+// The motions of a route's strides, one after the other.
+struct RouteMotions {
+  Route route;                  // as given; coordinates of the stances changed where motions exist or are shorter with others
+  std::vector<Motion> motions;  // of the first strides; of all if `failed` is -1
+  int failed = -1;              // the first stride for which none was found: to be banned before one searches again
+  std::string reason;           // why not
+};
+
+// Chooses the stances' coordinates anew (same footholds, other joints: room to lift, near to each other) and plans the motion of
+// every stride. `start`: the posture before the first stride, looking from the foot that holds at `route.start`; it stays as it is.
+// `free_lifts` as above, for the first stride. Threads as plan_motion().
+RouteMotions plan_motions(const Model& model, const Obstacles& obstacles, const truss::Truss& truss, const Route& route,
+                          const Coordinates& start, bool free_lifts, const MotionOptions& options, std::mt19937_64& random,
+                          const std::stop_token& stop);
+
+// The points' joints in the order of kJointNames if `holds` holds. Hip angles go on without jumps by 2 pi from row to row and from
+// `before`, the last row of the stride before (empty: there is none), and may therefore leave (-pi, pi].
+std::vector<std::vector<double>> joint_rows(const Model& model, const Motion& motion, Foot holds, std::span<const double> before);
 
 }  // namespace foothold::hyrecro
