@@ -173,7 +173,7 @@ void Daemon::beat() {
   info.queued(static_cast<std::uint32_t>(load.queued));
   info.running(static_cast<std::uint32_t>(load.running));
   std::uint32_t slots = 0;
-  for (const auto& name : workers_.robots()) slots += workers_.status(name).info.slots();
+  for (const auto& name : workers_.robots()) slots += workers_.status(name).info->slots();
   info.slots(slots);
   info.stopping(jobs_->stopping());
   announcer_->beat(std::move(info));

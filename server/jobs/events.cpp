@@ -38,13 +38,16 @@ msg::PlanEvent unknown_event(const Speaker& speaker, const Id& request, const Id
 void complete_summary(msg::Summary& summary, const Speaker& speaker, const Job& job, const RobotStatus& robot) {
   summary.steps(job.steps);
   summary.queued(std::chrono::duration<double>(job.started - job.arrived).count());
-  summary.plugin(robot.info.plugin());
-  summary.plugin_version(robot.info.plugin_version());
+  // A robot that is not in the configuration any more has left its request behind.
+  static const msg::RobotInfo kGone;
+  const msg::RobotInfo& info = robot.info ? *robot.info : kGone;
+  summary.plugin(info.plugin());
+  summary.plugin_version(info.plugin_version());
   summary.server_version(speaker.version);
   summary.robot(job.request.robot());
   summary.scene(job.request.scene());
   summary.scene_revision(job.request.scene_revision());
-  summary.parameters(complete_parameters(job.request.parameters(), robot.info.parameters()));
+  summary.parameters(complete_parameters(job.request.parameters(), info.parameters()));
   summary.seed(job.request.seed());
 }
 

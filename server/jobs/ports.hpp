@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -101,8 +102,8 @@ struct RunEnd {
 };
 
 struct RobotStatus {
-  bool known = false;
-  msg::RobotInfo info;       // state READY, QUARANTINED or UNAVAILABLE with its reason
+  // Null: no such robot. State READY, QUARANTINED or UNAVAILABLE with its reason. The same object as long as nothing in it changes.
+  std::shared_ptr<const msg::RobotInfo> info;
   double retry_after = 0.0;  // s, when QUARANTINED
 };
 

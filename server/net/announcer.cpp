@@ -13,14 +13,15 @@ Announcer::Announcer(transport::Bus& bus, const Id& server)
       robot_writer_(bus.writer(Topic::kRobot, "")),
       scene_writer_(bus.writer(Topic::kSceneStatus, "")) {}
 
-void Announcer::robot(msg::RobotInfo info) {
-  info.key(msg::id_of(msg::to_hex(server_) + "/robot/" + info.name()));
-  info.server(server_);
-  Kept& kept = robots_[info.key()];
-  Bytes bytes = msg::encode(info);
-  if (kept.sent && kept.bytes == bytes) return;
-  kept = {std::move(bytes), false};
-  send(*robot_writer_, kept);
+void Announcer::robot(const std::shared_ptr<const msg::RobotInfo>& info) {
+  Robot& robot = robots_[info->name()];
+  if (robot.info == info) return;
+  robot.info = info;
+  msg::RobotInfo told = *info;
+  told.key(msg::id_of(msg::to_hex(server_) + "/robot/" + info->name()));
+  told.server(server_);
+  robot.kept = {msg::encode(told), false};
+  send(*robot_writer_, robot.kept);
 }
 
 void Announcer::scene(msg::SceneStatus status) {
@@ -35,8 +36,8 @@ void Announcer::beat(msg::ServerInfo info) {
   info.heartbeat(++beats_);
   server_writer_->write(msg::encode(info));  // one that is lost is made up for by the next
   server_writer_->assert_liveliness();
-  for (auto& [key, kept] : robots_)
-    if (!kept.sent) send(*robot_writer_, kept);
+  for (auto& [name, robot] : robots_)
+    if (!robot.kept.sent) send(*robot_writer_, robot.kept);
   for (auto& [key, kept] : scenes_)
     if (!kept.sent) send(*scene_writer_, kept);
 }

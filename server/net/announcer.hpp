@@ -16,8 +16,8 @@ class Announcer {
   // Throws BusError.
   Announcer(transport::Bus& bus, const Id& server);
 
-  // `info.key` and `info.server` are filled in. The same again is sent only if it differs from the last.
-  void robot(msg::RobotInfo info);
+  // `key` and `server` are filled in. The same object again costs nothing.
+  void robot(const std::shared_ptr<const msg::RobotInfo>& info);
   void scene(msg::SceneStatus status);
   // Heartbeat; asserts this server's liveliness, too. `info.key` and the counter are filled in.
   void beat(msg::ServerInfo info);
@@ -28,13 +28,18 @@ class Announcer {
     Bytes bytes;
     bool sent = false;
   };
+  struct Robot {
+    std::shared_ptr<const msg::RobotInfo> info;
+    Kept kept;
+  };
 
   void send(transport::Writer& writer, Kept& kept);
 
   Id server_;
   std::uint64_t beats_ = 0;
   std::unique_ptr<transport::Writer> server_writer_, robot_writer_, scene_writer_;
-  std::unordered_map<Id, Kept, msg::IdHash> robots_, scenes_;  // what could not be sent is tried again with the next beat
+  std::unordered_map<std::string, Robot> robots_;
+  std::unordered_map<Id, Kept, msg::IdHash> scenes_;  // what could not be sent is tried again with the next beat
 };
 
 }  // namespace foothold::server

@@ -111,28 +111,27 @@ Worker* Pool::idle() const {
 }
 
 RobotStatus Pool::status() const {
-  RobotStatus out;
-  out.known = true;
-  if (info_) out.info = *info_;
-  out.info.name(robot_.name);
-  if (!robot_.description.empty()) out.info.description(robot_.description);
-  out.info.slots(static_cast<std::uint32_t>(robot_.slots));
   const bool any_ready = std::ranges::any_of(members_, &Member::ready);
-  if (health_.quarantined(now()) || (health_.on_trial(now()) && !any_ready)) {
-    out.info.state(msg::QUARANTINED);
-    out.info.reason(trouble_);
+  if (health_.quarantined(now()) || (health_.on_trial(now()) && !any_ready))
     // On trial the wait is over but its outcome is not known yet.
-    out.retry_after = std::max(in_seconds(health_.wait(now())), config_.restart_first);
-  } else if (refused_ && !any_ready) {
-    out.info.state(msg::UNAVAILABLE);
-    out.info.reason(refused_->message());
-  } else if (!info_) {
-    out.info.state(msg::UNAVAILABLE);
-    out.info.reason(trouble_.empty() ? "its planner is being loaded" : trouble_);
-  } else {
-    out.info.state(msg::READY);
-  }
-  return out;
+    return {described(msg::QUARANTINED, trouble_), std::max(in_seconds(health_.wait(now())), config_.restart_first)};
+  if (refused_ && !any_ready) return {described(msg::UNAVAILABLE, refused_->message())};
+  if (!info_) return {described(msg::UNAVAILABLE, trouble_.empty() ? "its planner is being loaded" : trouble_)};
+  return {described(msg::READY, {})};
+}
+
+// Asked with every request and after every plan: copied only when something in it is new.
+std::shared_ptr<const msg::RobotInfo> Pool::described(msg::RobotState state, const std::string& reason) const {
+  if (described_ && described_->state() == state && described_->reason() == reason) return described_;
+  msg::RobotInfo info;
+  if (info_) info = *info_;
+  info.name(robot_.name);
+  if (!robot_.description.empty()) info.description(robot_.description);
+  info.slots(static_cast<std::uint32_t>(robot_.slots));
+  info.state(state);
+  info.reason(reason);
+  described_ = std::make_shared<const msg::RobotInfo>(std::move(info));
+  return described_;
 }
 
 void Pool::reload() {
@@ -192,6 +191,7 @@ void Pool::on_ready(Worker& worker, msg::RobotInfo info) {
   member.ready = true;
   spdlog::info("robot {}: worker {} is ready with {} {}", robot_.name, worker.pid(), info.plugin(), info.plugin_version());
   info_ = std::move(info);
+  described_.reset();
   trouble_.clear();
   // One for one, so that a reload never leaves fewer slots than there were; the rest when all newer ones are there.
   const auto newer = std::ranges::count_if(

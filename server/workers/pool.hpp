@@ -69,6 +69,7 @@ class Pool final : public WorkerOwner {
   void count_crash(const msg::Error& error);
   void settle();
   void changed();
+  std::shared_ptr<const msg::RobotInfo> described(msg::RobotState state, const std::string& reason) const;
   Member& member_of(const Worker& worker);
   frame::Load load_frame() const;
 
@@ -83,6 +84,7 @@ class Pool final : public WorkerOwner {
   unsigned generation_ = 0;
   bool closed_ = false, settled_ = false, telling_ = false;
   std::optional<msg::RobotInfo> info_;                          // of the newest worker that was ready
+  mutable std::shared_ptr<const msg::RobotInfo> described_;     // what status() said last
   std::optional<msg::Error> refused_;                           // why no worker is started
   std::string trouble_;                                         // what happened last, for people
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // for what was posted and outlives this

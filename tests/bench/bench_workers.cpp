@@ -61,7 +61,7 @@ class Course : private RunEvents {
     bool settled = false;
     workers_->open(*this, [&] { settled = true; });
     while (!settled) loop_.run_one();
-    if (!workers_->has_idle("many")) throw std::runtime_error(workers_->status("many").info.reason());
+    if (!workers_->has_idle("many")) throw std::runtime_error(workers_->status("many").info->reason());
   }
 
   struct Times {

@@ -8,6 +8,7 @@
 #include "child.hpp"
 #include "daemon.hpp"
 #include "planners.hpp"
+#include "temporary_folder.hpp"
 #include "wire.hpp"
 
 namespace foothold::test {
@@ -17,16 +18,9 @@ namespace fs = std::filesystem;
 class Starting : public testing::Test {
  protected:
   Starting() {
-    std::string name = (fs::temp_directory_path() / "foothold-test-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    folder_ = name;
     fs::create_directories(folder_ / "robots");
     write("robots/r.yaml", "robot: r\nplugin: many\n");
     write("footholdd.yaml", "robots_dir: robots\nstate_dir: state\n");
-  }
-  ~Starting() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
   }
   void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
   std::string log() const {
@@ -36,11 +30,11 @@ class Starting : public testing::Test {
     return text.str();
   }
   std::optional<int> run(std::vector<std::string> words) {
-    words.insert(words.begin(), {FOOTHOLD_DAEMON, "--config", (folder_ / "footholdd.yaml").string()});
+    words.insert(words.begin(), {FOOTHOLD_DAEMON, "--config", folder_ / "footholdd.yaml"});
     Child child(words, folder_ / "log");
     return child.wait(20.0);
   }
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(Starting, CheckFindsNoFaultAndStartsNothing) {

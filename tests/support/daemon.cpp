@@ -16,12 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path make_directory() {
-  std::string name = (fs::temp_directory_path() / "foothold-test-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory: " + name);
-  return name;
-}
-
 std::string read_file(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
@@ -31,7 +25,7 @@ std::string read_file(const fs::path& path) {
 
 }  // namespace
 
-Daemon::Daemon(DaemonOptions options) : options_(std::move(options)), directory_(make_directory()) {
+Daemon::Daemon(DaemonOptions options) : options_(std::move(options)) {
   write_configuration();
   start();
 }
@@ -39,16 +33,16 @@ Daemon::Daemon(DaemonOptions options) : options_(std::move(options)), directory_
 Daemon::~Daemon() {
   child_.reset();
   if (std::uncaught_exceptions() > 0 || testing::Test::HasFailure()) std::cerr << "---- log of footholdd\n" << log() << "----\n";
-  std::error_code ignored;
-  fs::remove_all(directory_, ignored);
 }
 
 void Daemon::write_configuration() const {
   fs::create_directories(directory_ / "robots");
   std::ofstream file(directory_ / "footholdd.yaml");
   file << "name: test\n"
-       << "state_dir: " << (directory_ / "state").string() << "\n"
-       << "robots_dir: " << (directory_ / "robots").string() << "\n"
+       << "state_dir: " << directory_ / "state"
+       << "\n"
+       << "robots_dir: " << directory_ / "robots"
+       << "\n"
        << "plugin_dir: " << FOOTHOLD_TEST_PLUGINS << "\n"
        << "worker: " << FOOTHOLD_WORKER << "\n"
        << "grace: " << options_.grace << "\n"
@@ -56,14 +50,14 @@ void Daemon::write_configuration() const {
        << "dds:\n  vendor: " << options_.vendor << "\n  domain: " << options_.domain << "\n"
        << options_.more;
   for (const TestRobot& robot : options_.robots) {
-    std::ofstream out(directory_ / "robots" / (robot.name + ".yaml"));
+    std::ofstream out(directory_ / ("robots/" + robot.name + ".yaml"));
     out << "robot: " << robot.name << "\nplugin: " << robot.plugin << "\nslots: " << robot.slots << "\n";
     if (!robot.memory_limit.empty()) out << "memory_limit: " << robot.memory_limit << "\n";
   }
 }
 
 void Daemon::start() {
-  child_ = std::make_unique<Child>(std::vector<std::string>{FOOTHOLD_DAEMON, "--config", (directory_ / "footholdd.yaml").string()},
+  child_ = std::make_unique<Child>(std::vector<std::string>{FOOTHOLD_DAEMON, "--config", directory_ / "footholdd.yaml"},
                                    directory_ / "log");
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "child.hpp"
+#include "temporary_folder.hpp"
 
 namespace foothold::test {
 
@@ -54,7 +55,7 @@ class Daemon {
   void write_configuration() const;
 
   DaemonOptions options_;
-  std::filesystem::path directory_;
+  TemporaryFolder directory_;
   std::unique_ptr<Child> child_;
 };
 

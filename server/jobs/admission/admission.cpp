@@ -12,11 +12,11 @@ msg::Error refuse(std::uint16_t code, const std::string& field, const std::strin
 }
 
 Refusal check_robot(const std::string& robot, const RobotStatus& status) {
-  if (!status.known) return refuse(msg::UNKNOWN_ROBOT, "robot", quoted(robot) + " is not a robot of this server");
-  if (status.info.state() == msg::READY) return {};
-  const bool quarantined = status.info.state() == msg::QUARANTINED;
+  if (!status.info) return refuse(msg::UNKNOWN_ROBOT, "robot", quoted(robot) + " is not a robot of this server");
+  if (status.info->state() == msg::READY) return {};
+  const bool quarantined = status.info->state() == msg::QUARANTINED;
   auto error = refuse(quarantined ? msg::ROBOT_QUARANTINED : msg::ROBOT_UNAVAILABLE, "robot",
-                      quoted(robot) + (quarantined ? " is quarantined: " : " is not available: ") + status.info.reason());
+                      quoted(robot) + (quarantined ? " is quarantined: " : " is not available: ") + status.info->reason());
   error.retry_after(status.retry_after);
   return error;
 }
@@ -37,7 +37,7 @@ Refusal admit(msg::PlanRequest& request, double budget_max, const RobotStatus& s
   if (auto fault = check_form(request, budget_max)) return fault;
   if (auto fault = check_robot(request.robot(), status)) return fault;
   if (auto fault = check_scene(request, scenes)) return fault;
-  return check_parameters(request.parameters(), status.info.parameters());
+  return check_parameters(request.parameters(), status.info->parameters());
 }
 
 msg::PlanRequest essence(const msg::PlanRequest& request) {

@@ -7,21 +7,16 @@
 #include <filesystem>
 #include <fstream>
 
+#include "temporary_folder.hpp"
+
 namespace foothold {
 namespace {
 
 // A file in the test's own folder that is gone with it.
 class RobotFile : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string form = (std::filesystem::temp_directory_path() / "foothold-robot-XXXXXX").string();
-    ASSERT_NE(mkdtemp(form.data()), nullptr);
-    folder_ = form;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::string write(const std::string& text) const {
-    const std::string path = folder_ + "/robot.yaml";
+    const std::string path = folder_ / "robot.yaml";
     std::ofstream(path) << text;
     return path;
   }
@@ -37,13 +32,13 @@ class RobotFile : public testing::Test {
       ADD_FAILURE() << "was taken: " << text;
     } catch (const FileError& refused) {
       EXPECT_EQ(refused.field(), field) << text;
-      const std::string begin = folder_ + "/robot.yaml:" + std::to_string(line) + ": " + (field.empty() ? "" : field + ": ");
+      const std::string begin = folder_ / "robot.yaml" + ":" + std::to_string(line) + ": " + (field.empty() ? "" : field + ": ");
       EXPECT_EQ(std::string(refused.what()).rfind(begin, 0), 0u) << refused.what() << "\nshould begin with " << begin;
       EXPECT_NE(std::string(refused.what()).find(reason), std::string::npos) << refused.what();
     }
   }
 
-  std::string folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(RobotFile, EveryUnitIsConvertedToItsSiUnit) {
@@ -144,10 +139,10 @@ TEST_F(RobotFile, WhatIsNoYamlIsRefusedWithItsLine) {
 
 TEST_F(RobotFile, FileThatIsNotThereIsNamed) {
   try {
-    (void)load_robot_model(folder_ + "/nobody.yaml");
+    (void)load_robot_model(folder_ / "nobody.yaml");
     FAIL() << "was read";
   } catch (const FileError& refused) {
-    EXPECT_NE(std::string(refused.what()).find(folder_ + "/nobody.yaml"), std::string::npos);
+    EXPECT_NE(std::string(refused.what()).find(folder_ / "nobody.yaml"), std::string::npos);
     EXPECT_NE(std::string(refused.what()).find("cannot be read"), std::string::npos);
   }
 }

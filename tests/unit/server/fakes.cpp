@@ -43,10 +43,10 @@ World::World() {
   options.server = msg::id_of("this server");
   options.version = "0.1.0";
   auto& walker = planners.add("walker", 2);
-  walker.status.info.parameters({parameter_spec("cycles", msg::INTEGER, "7", 1, 30), parameter_spec("gain", msg::REAL, "0.5", 0, 1),
-                                 parameter_spec("careful", msg::FLAG, "true"),
-                                 parameter_spec("method", msg::CHOICE, "greedy", 0, 0, {"greedy", "optimal"}),
-                                 parameter_spec("note", msg::TEXT, "")});
+  walker.info.parameters({parameter_spec("cycles", msg::INTEGER, "7", 1, 30), parameter_spec("gain", msg::REAL, "0.5", 0, 1),
+                          parameter_spec("careful", msg::FLAG, "true"),
+                          parameter_spec("method", msg::CHOICE, "greedy", 0, 0, {"greedy", "optimal"}),
+                          parameter_spec("note", msg::TEXT, "")});
   planners.add("climber", 1);
   shelf.scenes.push_back({"yard", std::string(64, 'a'), "yaml", "/state/a.yaml", 10, 1});
   shelf.scenes.push_back({"yard", std::string(64, 'b'), "yaml", "/state/b.yaml", 11, 2});

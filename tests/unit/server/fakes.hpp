@@ -102,7 +102,8 @@ struct FakeJournal final : Journal {
 
 struct FakePlanners final : Planners {
   struct Robot {
-    RobotStatus status;
+    msg::RobotInfo info;
+    double retry_after = 0.0;
     std::size_t idle = 1;
   };
   struct Started {
@@ -117,17 +118,17 @@ struct FakePlanners final : Planners {
 
   Robot& add(const std::string& name, std::size_t slots) {
     Robot& robot = robots[name];
-    robot.status.known = true;
-    robot.status.info.name(name);
-    robot.status.info.state(msg::READY);
-    robot.status.info.plugin("plugin of " + name);
-    robot.status.info.plugin_version("1.2.3");
+    robot.info.name(name);
+    robot.info.state(msg::READY);
+    robot.info.plugin("plugin of " + name);
+    robot.info.plugin_version("1.2.3");
     robot.idle = slots;
     return robot;
   }
   RobotStatus status(const std::string& name) const override {
     const auto found = robots.find(name);
-    return found == robots.end() ? RobotStatus{} : found->second.status;
+    if (found == robots.end()) return {};
+    return {std::make_shared<const msg::RobotInfo>(found->second.info), found->second.retry_after};
   }
   bool has_idle(const std::string& name) const override {
     const auto found = robots.find(name);

@@ -11,6 +11,8 @@
 namespace foothold::server::testing {
 namespace {
 
+using test::TemporaryFolder;
+
 void write(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
 
 class ConfigFiles : public ::testing::Test {

@@ -16,6 +16,8 @@
 namespace foothold::server::testing {
 namespace {
 
+using test::TemporaryFolder;
+
 msg::PlanEvent final_event(const msg::PlanRequest& request, std::uint32_t steps, Stamp stamp = 77) {
   return change_event({msg::id_of("server"), "1"}, request, msg::SUCCEEDED, stamp, steps, {});
 }

@@ -152,10 +152,11 @@ TEST(Announcer, SaysARobotAgainOnlyIfItChangedAndBeatsOn) {
   Announcer announcer(*server, msg::id_of("server"));
   msg::RobotInfo info;
   info.name("walker");
-  announcer.robot(info);
-  announcer.robot(info);
+  const auto ready = std::make_shared<const msg::RobotInfo>(info);
+  announcer.robot(ready);
+  announcer.robot(ready);
   info.state(msg::QUARANTINED);
-  announcer.robot(info);
+  announcer.robot(std::make_shared<const msg::RobotInfo>(info));
   announcer.beat({});
   announcer.beat({});
   ASSERT_TRUE(network.settle());

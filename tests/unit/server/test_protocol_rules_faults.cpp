@@ -63,9 +63,9 @@ TEST(P21, AQuarantinedRobotsRequestsAreRejectedAndWhatWaitsEnds) {
   World world;
   for (const char* name : {"r1", "r2", "waiting"}) world.submit(good_request(name));
   auto& walker = world.planners.robots.at("walker");
-  walker.status.info.state(msg::QUARANTINED);
-  walker.status.info.reason("3 crashes within 60 s");
-  walker.status.retry_after = 60.0;
+  walker.info.state(msg::QUARANTINED);
+  walker.info.reason("3 crashes within 60 s");
+  walker.retry_after = 60.0;
   world.jobs->on_slots_changed("walker");
   world.jobs->settle();
   EXPECT_EQ(world.state(msg::id_of("waiting")), msg::FAILED);
@@ -174,7 +174,7 @@ TEST(P22, AResumedRequestWhoseRobotIsGoneFailsAndSaysSo) {
   auto request = good_request();
   request.resume(true);
   world.submit(request);
-  world.planners.robots.at("walker").status.info.state(msg::UNAVAILABLE);
+  world.planners.robots.at("walker").info.state(msg::UNAVAILABLE);
   world.restart();
   EXPECT_EQ(world.state(request.id()), msg::FAILED);
   EXPECT_EQ(world.last(request.id()).error().code(), msg::ROBOT_UNAVAILABLE);

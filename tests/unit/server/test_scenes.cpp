@@ -13,6 +13,8 @@
 namespace foothold::server::testing {
 namespace {
 
+using test::TemporaryFolder;
+
 const std::string kYaml = "ground:\n  polygon: [[0, 0], [1, 0], [1, 1]]\n";
 
 class ScenesTest : public ::testing::Test {

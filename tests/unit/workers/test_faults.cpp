@@ -26,7 +26,7 @@ class Beside {
   explicit Beside(RobotConfig bad) {
     const std::string name = bad.name;
     rig.open({std::move(bad), Rig::robot("many")});
-    if (!rig.workers->has_idle(name)) ADD_FAILURE() << name << " is not ready: " << rig.workers->status(name).info.reason();
+    if (!rig.workers->has_idle(name)) ADD_FAILURE() << name << " is not ready: " << rig.workers->status(name).info->reason();
     good_ = rig.start(Rig::request("many", {{"steps", "100000"}, {"pause_us", "1000"}}));
     rig.run_until([&] { return rig.heard[good_].steps.size() > 5; });
   }

@@ -34,9 +34,9 @@ std::string reason_of(RobotConfig robot, const WorkersConfig& limits = quick_lim
   const std::string name = robot.name;
   rig.open({std::move(robot)}, limits);
   const RobotStatus status = rig.workers->status(name);
-  EXPECT_EQ(status.info.state(), msg::UNAVAILABLE);
+  EXPECT_EQ(status.info->state(), msg::UNAVAILABLE);
   EXPECT_FALSE(rig.workers->has_idle(name));
-  return status.info.reason();
+  return status.info->reason();
 }
 
 void expect_words(const std::string& sentence, std::initializer_list<std::string> words) {
@@ -52,7 +52,7 @@ std::size_t open_descriptors() {
 TEST(Supervision, AModelThatFitsReachesTheConstructor) {
   Rig rig;
   rig.open({robot_with_model({{"body.length", number(0.1, "m")}})});
-  EXPECT_TRUE(rig.workers->has_idle("model")) << rig.workers->status("model").info.reason();
+  EXPECT_TRUE(rig.workers->has_idle("model")) << rig.workers->status("model").info->reason();
 }
 
 TEST(Supervision, ARobotWhoseModelDoesNotFitIsUnavailableWithThePath) {
@@ -76,7 +76,7 @@ TEST(Supervision, AWorkerProgramThatIsNotThereIsTold) {
   Rig rig;
   rig.program = "/nowhere/foothold-worker";
   rig.open({Rig::robot("many")}, quick_limits());
-  expect_words(rig.workers->status("many").info.reason(), {"cannot be started", "/nowhere/foothold-worker"});
+  expect_words(rig.workers->status("many").info->reason(), {"cannot be started", "/nowhere/foothold-worker"});
 }
 
 TEST(Supervision, AConstructorThatHangsOrDiesHoldsUpNoOtherRobot) {
@@ -88,8 +88,8 @@ TEST(Supervision, AConstructorThatHangsOrDiesHoldsUpNoOtherRobot) {
   Rig rig;
   rig.open({hangs, dies, Rig::robot("many")}, limits);
   EXPECT_EQ(rig.plan(Rig::request("many")).ends[0].state, msg::SUCCEEDED);
-  expect_words(rig.workers->status("hangs").info.reason(), {"was not ready within 300 ms"});
-  rig.run_until([&] { return rig.workers->status("dies").info.state() == msg::QUARANTINED; });
+  expect_words(rig.workers->status("hangs").info->reason(), {"was not ready within 300 ms"});
+  rig.run_until([&] { return rig.workers->status("dies").info->state() == msg::QUARANTINED; });
   EXPECT_GT(rig.workers->status("dies").retry_after, 0.0);
 }
 
@@ -98,7 +98,7 @@ TEST(Supervision, AWorkerThatDiedIsStartedAgainAndTheRobotStaysReady) {
   rig.open({Rig::robot("crash")}, quick_limits());
   rig.plan(Rig::request("crash"));
   EXPECT_FALSE(rig.workers->has_idle("crash"));
-  EXPECT_EQ(rig.workers->status("crash").info.state(), msg::READY) << "its requests wait";
+  EXPECT_EQ(rig.workers->status("crash").info->state(), msg::READY) << "its requests wait";
   rig.run_until([&] { return rig.workers->has_idle("crash"); });
   EXPECT_EQ(rig.plan(Rig::request("crash", {{"how", "not"}})).ends[0].state, msg::SUCCEEDED);
 }
@@ -123,25 +123,25 @@ TEST(Supervision, RepeatedCrashesQuarantineTheRobotAndATrialLetsItBack) {
     rig.plan(Rig::request("crash"));
   }
   const RobotStatus status = rig.workers->status("crash");
-  EXPECT_EQ(status.info.state(), msg::QUARANTINED);
+  EXPECT_EQ(status.info->state(), msg::QUARANTINED);
   EXPECT_GT(status.retry_after, 0.0);
   EXPECT_LE(status.retry_after, 0.5);
-  expect_words(status.info.reason(), {"3 crashes"});
+  expect_words(status.info->reason(), {"3 crashes"});
   EXPECT_FALSE(rig.workers->has_idle("crash"));
 
   // On trial: one worker of two slots; its crash takes the robot out at once.
   rig.run_until([&] { return rig.workers->has_idle("crash"); });
-  EXPECT_EQ(rig.workers->status("crash").info.state(), msg::READY);
+  EXPECT_EQ(rig.workers->status("crash").info->state(), msg::READY);
   rig.run_for(100ms);
   EXPECT_EQ(rig.workers->pids("crash").size(), 1u);
   rig.plan(Rig::request("crash"));
-  EXPECT_EQ(rig.workers->status("crash").info.state(), msg::QUARANTINED);
+  EXPECT_EQ(rig.workers->status("crash").info->state(), msg::QUARANTINED);
 
   rig.run_until([&] { return rig.workers->has_idle("crash"); });
   EXPECT_EQ(rig.plan(Rig::request("crash", {{"how", "not"}})).ends[0].state, msg::SUCCEEDED);
   rig.run_until([&] { return rig.workers->pids("crash").size() == 2u; });
   rig.plan(Rig::request("crash"));
-  EXPECT_EQ(rig.workers->status("crash").info.state(), msg::READY) << "a trial that was passed forgives";
+  EXPECT_EQ(rig.workers->status("crash").info->state(), msg::READY) << "a trial that was passed forgives";
 }
 
 TEST(Supervision, ARunThatGoesOnWhenItsRobotIsQuarantinedEndsByItself) {
@@ -164,7 +164,7 @@ TEST(Supervision, KillsByTheDaemonAreNoCrashes) {
     rig.workers->kill(run, "by the test");
     EXPECT_EQ(rig.end_of(run).ends[0].error.code(), msg::WORKER_KILLED);
   }
-  EXPECT_EQ(rig.workers->status("hang").info.state(), msg::READY);
+  EXPECT_EQ(rig.workers->status("hang").info->state(), msg::READY);
 }
 
 TEST(Supervision, AReloadBringsANewWorkerAndARunGoesOn) {
@@ -206,7 +206,7 @@ TEST(Supervision, AReloadThatIsRefusedKeepsTheOlderWorkers) {
 
     install("recall");
     rig.workers->reload("many");
-    rig.run_until([&] { return rig.workers->status("many").info.plugin() == "recall"; });
+    rig.run_until([&] { return rig.workers->status("many").info->plugin() == "recall"; });
     rig.run_until([&] { return rig.workers->pids("many").size() == 2u; });
     EXPECT_NE(rig.workers->pids("many"), before);
   }

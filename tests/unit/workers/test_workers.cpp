@@ -19,11 +19,11 @@ TEST(Workers, APlanComesBackStepByStepWithItsSummary) {
   Rig rig;
   rig.open({Rig::robot("many")});
   const auto status = rig.workers->status("many");
-  EXPECT_TRUE(status.known);
-  EXPECT_EQ(status.info.state(), msg::READY);
-  EXPECT_EQ(status.info.plugin(), "many");
-  EXPECT_EQ(status.info.parameters().size(), 3u);
-  EXPECT_EQ(status.info.limbs(), (std::vector<std::string>{"left", "right"}));
+  ASSERT_TRUE(status.info);
+  EXPECT_EQ(status.info->state(), msg::READY);
+  EXPECT_EQ(status.info->plugin(), "many");
+  EXPECT_EQ(status.info->parameters().size(), 3u);
+  EXPECT_EQ(status.info->limbs(), (std::vector<std::string>{"left", "right"}));
 
   const Heard& heard = rig.plan(Rig::request("many", {{"steps", "25"}}));
   ASSERT_EQ(heard.ends.size(), 1u);
@@ -39,12 +39,13 @@ TEST(Workers, APlanComesBackStepByStepWithItsSummary) {
   ASSERT_EQ(heard.steps[24].margins().size(), 1u);
   EXPECT_EQ(heard.steps[24].margins()[0].name(), "advance");
   EXPECT_TRUE(rig.workers->has_idle("many"));
+  EXPECT_EQ(rig.workers->status("many").info, status.info) << "nothing changed: the same object";
 }
 
 TEST(Workers, AnUnknownRobotIsUnknown) {
   Rig rig;
   rig.open({Rig::robot("many")});
-  EXPECT_FALSE(rig.workers->status("nobody").known);
+  EXPECT_FALSE(rig.workers->status("nobody").info);
   EXPECT_FALSE(rig.workers->has_idle("nobody"));
   EXPECT_FALSE(rig.workers->reload("nobody"));
 }
@@ -54,7 +55,7 @@ TEST(Workers, ARobotThatIsNotEnabledIsLeftOut) {
   RobotConfig off = Rig::robot("many");
   off.enabled = false;
   rig.open({off});
-  EXPECT_FALSE(rig.workers->status("many").known);
+  EXPECT_FALSE(rig.workers->status("many").info);
 }
 
 TEST(Workers, EachSlotPlansAtTheSameTime) {

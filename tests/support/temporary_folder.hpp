@@ -3,9 +3,10 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
-namespace foothold::server::testing {
+namespace foothold::test {
 
 class TemporaryFolder {
  public:
@@ -27,4 +28,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace foothold::server::testing
+}  // namespace foothold::test
