@@ -55,6 +55,7 @@ TEST_F(RobotFile, EveryUnitIsConvertedToItsSiUnit) {
                         {"kg", "kg", 1.0},
                         {"g", "kg", 0.001},
                         {"s", "s", 1.0},
+                        {"m/s", "m/s", 1.0},
                         {"ms", "s", 0.001},
                         {"N", "N", 1.0},
                         {"Nm", "Nm", 1.0},
@@ -107,9 +108,9 @@ TEST_F(RobotFile, QuantityWithoutValueIsTakenForAGroupAndItsPartsRefused) {
 
 TEST_F(RobotFile, UnknownPartsUnitsAndValuesAreRefused) {
   expect_refusal("  x: {value: 1, unit: m, source: paper, sorce: p}\n", "model.x.sorce", 2, "is not a part of a quantity");
-  for (const char* unit : {"inch", "MM", "''", "[m]", "m/s", "2"})
+  for (const char* unit : {"inch", "MM", "''", "[m]", "m/h", "2"})
     expect_refusal(std::string("  x: {value: 1, unit: ") + unit + ", source: paper}\n", "model.x.unit", 2,
-                   "must be one of m, cm, mm, rad, deg, kg, g, s, ms, N, Nm, 1, rad/s, rpm; is '");
+                   "must be one of m, cm, mm, rad, deg, kg, g, s, ms, N, Nm, 1, m/s, rad/s, rpm; is '");
   for (const char* value : {"", "~", "one", "1 m", "0x10", "1_000", "'1,5'", "{a: 1}", "[[1]]", "[1, two]", "1.2.3"})
     expect_refusal(std::string("  x: {value: ") + value + ", unit: m, source: paper}\n", "model.x.value", 2, "must be a number");
   for (const char* value : {".inf", "-.inf", ".nan", "[1, .inf]"})
