@@ -62,6 +62,11 @@ struct Found {
 
 enum class Objective { kSteps, kDistance };
 
+// Two footholds that a route must not have one after the other, in either order: no motion was found between their stances.
+struct Ban {
+  Foothold one, other;
+};
+
 // Called for strides that the rest of the search cannot change any more, in order; false: stop. May be empty.
 using OnStride = std::function<bool(const Stride&)>;
 
