@@ -32,7 +32,7 @@ class PlanarMechanism {
   // Both actuators, whatever their limits.
   Lengths lengths(const Pose& pose) const;
   // The pose that belongs to two lengths, in the only assembly with y > 0 and |phi| < 90 deg. Precondition: such a pose exists;
-  // it does for lengths between shortest and longest. Error below 1e-14.
+  // it does for lengths between shortest and longest if greatest_phi() is below 90 deg. Error below 1e-14.
   Pose forward(const Lengths& lengths) const;
   // All y for which both actuators keep their limits at `phi`; empty if none.
   Interval offsets(double phi) const;
