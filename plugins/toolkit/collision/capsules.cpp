@@ -1,34 +1,39 @@
-// Capsule against capsule: the distance of two segments in closed form.
+// Capsules against each other and against boxes: the distance of the axis, less the radius.
 #include <algorithm>
+#include <cmath>
 
-#include "collision/distance.hpp"
+#include "collision/segments.hpp"
 
 namespace foothold::collision {
 namespace {
 
-// Nearest points a0 + s u and b0 + t v, s and t in [0, 1]: the free minimum, else the best one on a border.
-double segment_distance_squared(const Vector3d& a0, const Vector3d& a1, const Vector3d& b0, const Vector3d& b1) {
-  const Vector3d u = a1 - a0, v = b1 - b0, w = a0 - b0;
-  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), uw = u.dot(w), vw = v.dot(w);
-  const double determinant = uu * vv - uv * uv;
-  double s = determinant > 1e-12 * uu * vv ? std::clamp((uv * vw - vv * uw) / determinant, 0.0, 1.0) : 0.0;
-  double t = vv > 0.0 ? (uv * s + vw) / vv : 0.0;
-  if (t < 0.0 || t > 1.0) {
-    t = std::clamp(t, 0.0, 1.0);
-    s = uu > 0.0 ? std::clamp((uv * t - uw) / uu, 0.0, 1.0) : 0.0;
-  }
-  return (w + s * u - t * v).squaredNorm();
+// The axis in the box's frame.
+std::pair<Vector3d, Vector3d> seen_from(const Box& box, const Capsule& capsule) {
+  const auto rotation = box.pose.linear().transpose();
+  const Vector3d centre = box.pose.translation();
+  return {rotation * (capsule.a - centre), rotation * (capsule.b - centre)};
 }
 
 }  // namespace
 
 double distance(const Capsule& a, const Capsule& b) {
-  return std::max(0.0, std::sqrt(segment_distance_squared(a.a, a.b, b.a, b.b)) - a.radius - b.radius);
+  return std::max(0.0, std::sqrt(squared_of_segments(a.a, a.b, b.a, b.b)) - a.radius - b.radius);
 }
 
 bool nearer(const Capsule& a, const Capsule& b, double clearance) {
   const double sum = a.radius + b.radius + clearance;
-  return segment_distance_squared(a.a, a.b, b.a, b.b) < sum * sum;
+  return squared_of_segments(a.a, a.b, b.a, b.b) < sum * sum;
+}
+
+double distance(const Capsule& a, const Box& b) {
+  const auto [p, q] = seen_from(b, a);
+  return std::max(0.0, std::sqrt(squared_to_box(p, q, b.half)) - a.radius);
+}
+
+bool nearer(const Capsule& a, const Box& b, double clearance) {
+  const auto [p, q] = seen_from(b, a);
+  const double sum = a.radius + clearance, limit = sum * sum;
+  return squared_bound(p, q, b.half) < limit && squared_to_box(p, q, b.half) < limit;
 }
 
 }  // namespace foothold::collision
