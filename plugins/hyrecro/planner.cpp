@@ -1,0 +1,150 @@
+// Planner interface of HyReCRo.
+#include "hyrecro/planner.hpp"
+
+#include <algorithm>
+
+#include "hyrecro/check/check.hpp"
+#include "hyrecro/posture.hpp"
+#include "hyrecro/report.hpp"
+#include "hyrecro/steps.hpp"
+#include "hyrecro/travel.hpp"
+
+namespace foothold::hyrecro {
+namespace {
+
+const PreparedTruss& truss_of(const PreparedScene& scene) { return dynamic_cast<const PreparedTruss&>(scene); }
+
+truss::Truss read(const Scene& scene) {
+  if (scene.path.empty()) throw InvalidScene("scene", "hyrecro climbs a truss; the request names no scene");
+  if (scene.format == "yaml") return truss::read_truss(scene.path);
+  return truss::read_mesh(scene.path);
+}
+
+}  // namespace
+
+HyrecroPlanner::HyrecroPlanner(const RobotModel& model) : model_(Model::from_model(model)) {}
+
+std::shared_ptr<const PlanarWorkspace> HyrecroPlanner::workspace(const Options& options) {
+  std::erase_if(workspaces_, [](const auto& entry) { return entry.second.expired(); });
+  auto& kept = workspaces_[{options.position_step, options.heading_step, options.clearance}];
+  last_workspace_ = kept.lock();
+  if (!last_workspace_) {
+    auto made = PlanarWorkspace::make(model_, options.position_step, options.heading_step, options.clearance);
+    last_workspace_ = std::make_shared<const PlanarWorkspace>(std::move(*made));
+    kept = last_workspace_;
+  }
+  return last_workspace_;
+}
+
+Reachability& HyrecroPlanner::exact(double clearance) const {
+  auto& kept = exact_[clearance];
+  if (!kept) kept = make_exact(model_, clearance);
+  return *kept;
+}
+
+std::shared_ptr<const PreparedScene> HyrecroPlanner::prepare(const Scene& scene, const Parameters& parameters) {
+  const Options options = read_options(parameters);
+  auto out = std::make_shared<PreparedTruss>(model_, read(scene), options.sampling, options.clearance);
+  out->workspace = workspace(options);
+  return out;
+}
+
+std::vector<Beginning> HyrecroPlanner::beginnings(const Request& request, const PreparedTruss& scene) const {
+  const Start start = read_start(model_, scene, request.start);
+  const Grip& first = start.grips.front();
+  const Isometry3d sole = pose_of(scene.truss, first.at);
+  const bool both = start.grips.size() == 2;
+  std::optional<Coordinates> coordinates = start.coordinates;
+  if (coordinates && !is_free(model_, scene, *coordinates, sole))
+    throw InvalidRequest("start.joints", "in this posture the robot collides, or keeps less than the clearance");
+  if (!coordinates && both) {
+    const Isometry3d wanted = sole.inverse() * pose_of(scene.truss, start.grips[1].at);
+    coordinates =
+        exact(scene.clearance).reach(wanted, [&](const Coordinates& c) { return is_free(model_, scene, c, sole); }).coordinates;
+    if (!coordinates)
+      throw InvalidRequest("start.contacts", "no posture free of collision stands on both; give one contact, or others");
+  }
+  if (!coordinates) coordinates = hanging(model_, scene, sole);
+  if (!coordinates)
+    throw InvalidRequest("start.contacts[0]",
+                         "no posture free of collision was found that holds there with the other foot in the air");
+  std::vector<Beginning> out{{first, *coordinates, both}};
+  if (both) out.push_back({start.grips[1], swapped(*coordinates), true});
+  return out;
+}
+
+Posture HyrecroPlanner::start(const Request& request, const Parameters&, const PreparedScene& scene) const {
+  const PreparedTruss& truss = truss_of(scene);
+  const std::vector<Beginning> from = beginnings(request, truss);
+  const Beginning& first = from.front();
+  Posture out = posture_of(model_, first.coordinates, first.holding.foot, pose_of(truss.truss, first.holding.at));
+  for (const Beginning& beginning : from) out.stance.push_back(to_contact(truss.truss, beginning.holding));
+  return out;
+}
+
+Found HyrecroPlanner::search(const Options& options, const PreparedTruss& scene, const Grip& from, const Foothold& goal,
+                             PlanContext& context) const {
+  if (options.method == Method::kOptimal) return plan_optimal(model_, scene, from.at, goal, options.optimal, context.stop, {});
+  std::unique_ptr<Reachability> other;
+  if (options.reachability == ReachabilityKind::kNetwork) other = make_network(model_);
+  if (options.reachability == ReachabilityKind::kIterative)
+    other = make_iterative(model_, scene.clearance, options.tries, context.random);
+  Reachability& reachability = other ? *other : exact(scene.clearance);
+  return plan_paper(model_, scene, reachability, from.at, goal, options.paper, context.stop, {});
+}
+
+PlanReport HyrecroPlanner::plan(const Request& request, const Parameters& parameters, const PreparedScene& scene,
+                                PlanContext& context) {
+  const PreparedTruss& truss = truss_of(scene);
+  Options options = read_options(parameters);
+  const std::vector<Beginning> from = beginnings(request, truss);
+  const Foothold goal = read_goal(model_, truss, request.goal);
+  const Search searched = [&](const Options& with, const Grip& grip) { return search(with, truss, grip, goal, context); };
+  const Travel travel = plan_travel(model_, truss, options, from, searched, context);
+  if (travel.stopped) return stopped_report();
+  if (!travel.found) return failed_report(travel.failure);
+
+  const Posture before = start(request, parameters, scene);
+  std::vector<double> joints = before.joints;
+  Grip holding = travel.beginning.holding;
+  const std::vector<double> costs = costs_of(*travel.found, options, truss.truss);
+  for (std::size_t k = 0; k < travel.found->route.strides.size(); ++k) {
+    const Stride& stride = travel.found->route.strides[k];
+    Step step = to_step(model_, truss.truss, holding, stride, costs[k]);
+    if (options.motion) add_motion(model_, truss.truss, holding, travel.motions[k], joints, step);
+    joints = step.after.joints;
+    if (!context.emit(std::move(step))) return stopped_report();
+    holding = {other(holding.foot), stride.to};
+  }
+  return report_of(*travel.found, options, truss.truss, travel.times);
+}
+
+StepVerdict HyrecroPlanner::check(const Step& step, const Posture& before, const Parameters& parameters,
+                                  const PreparedScene& scene) const {
+  const PreparedTruss& truss = truss_of(scene);
+  return check_step(model_, truss.truss, truss.obstacles, parameters.real("clearance"), step, before);
+}
+
+std::vector<Shape> HyrecroPlanner::shapes(const Posture& posture) const {
+  const Stand stand = stand_of(model_, posture);
+  const Bodies bodies = bodies_at(model_, stand.coordinates, stand.sole);
+  std::vector<Shape> out;
+  const auto add_box = [&](const char* name, const collision::Box& box) {
+    out.push_back({Shape::Kind::kBox, name, box.pose, 2.0 * box.half, {}});
+  };
+  const auto add_leg = [&](const char* name, const collision::Capsule& leg) {
+    Isometry3d pose = Isometry3d::Identity();
+    const Vector3d axis = leg.b - leg.a;
+    pose.linear() = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis).toRotationMatrix();
+    pose.translation() = 0.5 * (leg.a + leg.b);
+    out.push_back({Shape::Kind::kCapsule, name, pose, Vector3d(leg.radius, 0.0, axis.norm()), {}});
+  };
+  add_box("plate A", bodies.plate[0]);
+  add_leg("leg A", bodies.leg[0]);
+  add_box("hip", bodies.hip);
+  add_leg("leg B", bodies.leg[1]);
+  add_box("plate B", bodies.plate[1]);
+  return out;
+}
+
+}  // namespace foothold::hyrecro

@@ -1,0 +1,56 @@
+// The planner of HyReCRo: requests to routes to motions to steps.
+//
+// Parameters are in schema.hpp, what a request may ask in request.hpp, the searches in optimal/ and paper/, the motions in motion/;
+// every step is judged by check/.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "foothold/planner.hpp"
+#include "hyrecro/reach/reachability.hpp"
+#include "hyrecro/request.hpp"
+
+namespace foothold::hyrecro {
+
+// A posture to begin with: `holding` holds; the other foot stands as well (`stands`) or is in the air.
+struct Beginning {
+  Grip holding;
+  Coordinates coordinates;  // seen from it
+  bool stands = false;
+};
+
+// Used by one thread at a time.
+class HyrecroPlanner final : public Planner {
+ public:
+  explicit HyrecroPlanner(const RobotModel& model);
+
+  // Takes trusses: yaml, stl, obj or ply. Throws InvalidScene without a scene, too.
+  std::shared_ptr<const PreparedScene> prepare(const Scene& scene, const Parameters& parameters) override;
+  Posture start(const Request& request, const Parameters& parameters, const PreparedScene& scene) const override;
+  PlanReport plan(const Request& request, const Parameters& parameters, const PreparedScene& scene, PlanContext& context) override;
+  StepVerdict check(const Step& step, const Posture& before, const Parameters& parameters,
+                    const PreparedScene& scene) const override;
+  std::vector<Shape> shapes(const Posture& posture) const override;
+
+ private:
+  std::shared_ptr<const PlanarWorkspace> workspace(const Options& options);
+  Reachability& exact(double clearance) const;
+  // One for a robot on one foot, one for each foot that may stay for one on both.
+  std::vector<Beginning> beginnings(const Request& request, const PreparedTruss& scene) const;
+  Found search(const Options& options, const PreparedTruss& scene, const Grip& from, const Foothold& goal,
+               PlanContext& context) const;
+
+  Model model_;
+  // By steps and clearance; what no scene needs any more goes.
+  struct WorkspaceKey {
+    double position_step, heading_step, clearance;
+    auto operator<=>(const WorkspaceKey&) const = default;
+  };
+  std::map<WorkspaceKey, std::weak_ptr<const PlanarWorkspace>> workspaces_;
+  std::shared_ptr<const PlanarWorkspace> last_workspace_;
+  mutable std::map<double, std::unique_ptr<Reachability>> exact_;  // by clearance
+};
+
+}  // namespace foothold::hyrecro
