@@ -86,7 +86,7 @@ msg::Placement read_placement(const YamlField& field) {
     for (const YamlField& item : contacts->items()) {
       item.expect_mapping({"limb", "position", "orientation", "rpy_deg", "heading_deg", "face"});
       msg::Contact contact;
-      contact.limb(item.at("limb").text());
+      if (const auto limb = item.find("limb")) contact.limb(limb->text());
       contact.frame(read_pose(item, true));
       if (const auto face = item.find("face")) contact.face(face->text());
       placement.contacts().push_back(contact);

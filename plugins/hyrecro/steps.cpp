@@ -52,14 +52,16 @@ Step to_step(const Model& model, const truss::Truss& truss, const Grip& holding,
   const Change change = change_of(truss, holding.at, stride.to);
   const std::string& face = face_name(truss, stride.to);
   Step out;
-  out.label = std::string("foot ") + name_of(placed.foot) + " to " + face + " at (" + shown("%.3f", stride.to.at.x()) + ", " +
-              shown("%.3f", stride.to.at.y()) + ") m, heading " + shown("%.1f", in_degrees(stride.to.heading)) + " deg" +
-              (change == Change::kNone ? "" : std::string(", ") + name_of(change) + " transition");
+  out.label = std::string(name_of(placed.foot)) + " to " + face;
+  if (change != Change::kNone) out.label += std::string(", ") + name_of(change) + " transition";
   out.placed = {to_contact(truss, placed)};
   out.after = posture_of(model, stride.coordinates, holding.foot, sole);
   out.after.stance = {to_contact(truss, holding), out.placed.front()};
   if (holding.foot == Foot::kB) std::swap(out.after.stance[0], out.after.stance[1]);
-  out.attributes = {{"face", face}, {"transition", name_of(change)}};
+  out.attributes = {{"face", face},
+                    {"place", "(" + shown("%.3f", stride.to.at.x()) + ", " + shown("%.3f", stride.to.at.y()) + ") m, " +
+                                  shown("%.1f", in_degrees(stride.to.heading)) + " deg"},
+                    {"transition", name_of(change)}};
   out.cost = cost;
   return out;
 }

@@ -43,14 +43,19 @@ void Daemon::write_configuration() const {
        << "\n"
        << "robots_dir: " << directory_ / "robots"
        << "\n"
-       << "plugin_dir: " << FOOTHOLD_TEST_PLUGINS << "\n"
+       << "plugin_dir: " << (options_.plugin_dir.empty() ? FOOTHOLD_TEST_PLUGINS : options_.plugin_dir) << "\n"
        << "worker: " << FOOTHOLD_WORKER << "\n"
        << "grace: " << options_.grace << "\n"
        << "log_level: " << options_.log_level << "\n"
        << "dds:\n  vendor: " << options_.vendor << "\n  domain: " << options_.domain << "\n"
        << options_.more;
   for (const TestRobot& robot : options_.robots) {
-    std::ofstream out(directory_ / ("robots/" + robot.name + ".yaml"));
+    const fs::path path = directory_ / ("robots/" + robot.name + ".yaml");
+    if (!robot.file.empty()) {
+      fs::copy_file(robot.file, path);
+      continue;
+    }
+    std::ofstream out(path);
     out << "robot: " << robot.name << "\nplugin: " << robot.plugin << "\nslots: " << robot.slots << "\n";
     if (!robot.memory_limit.empty()) out << "memory_limit: " << robot.memory_limit << "\n";
   }

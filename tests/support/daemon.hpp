@@ -19,6 +19,7 @@ struct TestRobot {
   std::string plugin;  // as in the build's folder of plugins
   unsigned slots = 1;
   std::string memory_limit;  // as in the robot's file; empty: none
+  std::string file;          // a robot's file to be copied instead; empty: none
 };
 
 struct DaemonOptions {
@@ -27,7 +28,8 @@ struct DaemonOptions {
   std::vector<TestRobot> robots;
   double grace = 0.25;  // s
   std::string log_level = "info";
-  std::string more;  // further lines of the configuration
+  std::string more;        // further lines of the configuration
+  std::string plugin_dir;  // empty: that of the test planners
 };
 
 // Thread rule: the main thread.

@@ -77,6 +77,13 @@ TEST(RequestFile, RollPitchYawTurnAboutFixedAxes) {
   EXPECT_NEAR(z_axis_x, 1.0, 1e-15);
 }
 
+TEST(RequestFile, AContactMayLeaveItsLimbAndFaceToTheServer) {
+  const auto request = read_request("robot: a\ngoal: {contacts: [{position: [1, 0, 0], heading_deg: 0}]}\n", "r.yaml").request;
+  ASSERT_EQ(request.goal().contacts().size(), 1u);
+  EXPECT_EQ(request.goal().contacts()[0].limb(), "");
+  EXPECT_EQ(request.goal().contacts()[0].face(), "");
+}
+
 struct Malformed {
   const char* text;
   const char* error;

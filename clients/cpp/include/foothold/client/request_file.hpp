@@ -15,7 +15,7 @@
 //                                       # or heading_deg: 90, about z
 //     any_orientation: true             # only the position counts; the orientation may then be left out
 //     contacts:
-//       - {limb: left, position: [1, 0, 0], heading_deg: 0, face: top}
+//       - {limb: left, position: [1, 0, 0], heading_deg: 0, face: top}   # limb, face: may be left out where a robot allows it
 //   budget: 5                           # s from receipt
 //   priority: 0
 //   seed: 1
