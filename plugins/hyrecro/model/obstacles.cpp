@@ -114,4 +114,16 @@ Obstacles::Nearest Obstacles::nearest_of_plates(const Bodies& bodies, double rea
   return out;
 }
 
+double Obstacles::distance(const Capsule& body, double reach) const {
+  Nearest out{std::numeric_limits<double>::infinity(), "", -1};
+  look(*tree_, body, "", reach, out);
+  return out.distance;
+}
+
+double Obstacles::distance(const Box& body, double reach) const {
+  Nearest out{std::numeric_limits<double>::infinity(), "", -1};
+  look(*tree_, body, "", reach, out);
+  return out.distance;
+}
+
 }  // namespace foothold::hyrecro
