@@ -1,0 +1,38 @@
+// How many strides a leg takes at least: a bound in closed form, without any lattice.
+//
+// In a face both soles lie in one plane, so the hip plate's normal is one vector and hip_drop cancels: seen from above, a stride is
+// p = s0 e(h0) + T - s1 e(h1), with h0, h1 the headings, s0, s1 the shifts lambda sin(phi1) of the upper pins and |T| at most the
+// distance t of the hip axes. Regular postures have psi = 0, so |s| <= S. In singular ones (h1 = h0 or h0 + pi) both legs lean by
+// the same psi along the same line; one shift may exceed S then, but |s0| + |s1| <= 2 S still holds, with S the greatest half of
+// that sum over all psi. A chain of n strides from u to v therefore keeps v - u within
+//   { a e(h_u) + b e(h_v) : |a|, |b| <= S }  grown by  (n - 1) 2 S + n t :
+// each foothold between gives both its shifts, 2 S, in any direction. Values; any thread.
+#pragma once
+
+#include "hyrecro/model/model.hpp"
+#include "hyrecro/route/route.hpp"
+
+namespace foothold::hyrecro {
+
+class StrideBounds {
+ public:
+  explicit StrideBounds(const Model& model);
+
+  double shift() const { return shift_; }                          // S, m
+  double reach() const { return 2.0 * shift_ + model_distance_; }  // r_max: the longest stride in a face, m
+  double transition_reach() const { return transition_reach_; }    // no two soles are further apart in any posture, m
+  // Strides that lead from `u` to `v` on one face at least; 0 if they are equal.
+  int least(const Foothold& u, const Foothold& v) const;
+  // The same for the difference v - u of their places and the unit vectors of their headings. Does not ask whether they are equal:
+  // at least 1.
+  int least(const Vector2d& difference, const Vector2d& heading_u, const Vector2d& heading_v) const;
+
+ private:
+  double shift_ = 0.0, model_distance_ = 0.0, transition_reach_ = 0.0;
+};
+
+// Same face, place and heading (modulo 2 pi) within 1e-9.
+bool same(const Foothold& a, const Foothold& b);
+inline Vector2d direction(double heading) { return {std::cos(heading), std::sin(heading)}; }
+
+}  // namespace foothold::hyrecro

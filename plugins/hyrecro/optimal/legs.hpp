@@ -1,0 +1,48 @@
+// The footholds of a leg: from one foothold to another on the same face in a given number of strides.
+//
+// Candidates lie along the straight way at shares of what each stride can cover, headed along it; where that fails they move
+// sideways, turn, or go round. Every choice keeps the strides that are left enough by StrideBounds, so that with as many strides as
+// the bound demands hardly anything is tried in vain. Depth first, with a limit of tries.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "hyrecro/optimal/strides.hpp"
+
+namespace foothold::hyrecro {
+
+using Banned = std::function<bool(const Foothold&, const Foothold&)>;
+
+// Borrows `strides`. Used by one thread at a time.
+class Legs {
+ public:
+  explicit Legs(Strides& strides) : strides_(strides), bounds_(strides.bounds()) {}
+
+  // Least strides of a leg that no posture contradicts: StrideBounds, and 2 where both plates would overlap.
+  int least(const Foothold& u, const Foothold& v) const;
+
+  // Exactly `count` strides from `u` to `v`, the last one to `v`; empty if none was found. Precondition: count >= least(u, v) > 0.
+  std::optional<std::vector<Stride>> find(const Foothold& u, const Foothold& v, int count, const Banned& banned);
+
+  std::size_t tried() const { return tried_; }  // strides judged, since construction
+
+ private:
+  struct Candidate {
+    Foothold at;
+  };
+  bool walk(int left);
+  std::optional<Coordinates> judge(const Foothold& from, const Foothold& to, bool last);
+  void candidates(const Foothold& from, int left, std::vector<Foothold>& out) const;
+
+  Strides& strides_;
+  const StrideBounds& bounds_;
+  Foothold start_, goal_;
+  const Banned* banned_ = nullptr;
+  std::vector<Stride> chain_;
+  std::vector<std::vector<Foothold>> open_;  // candidates by depth
+  std::size_t tried_ = 0, most_tried_ = 0, most_exact_ = 0;
+};
+
+}  // namespace foothold::hyrecro

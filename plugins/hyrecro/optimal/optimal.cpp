@@ -1,0 +1,67 @@
+#include "hyrecro/optimal/optimal.hpp"
+
+#include "hyrecro/optimal/truss_graph.hpp"
+
+namespace foothold::hyrecro {
+namespace {
+
+KeptTruss& kept_of(const Model& model, const PreparedTruss& scene) {
+  auto* kept = dynamic_cast<KeptTruss*>(scene.kept.get());
+  if (kept == nullptr) {
+    auto fresh = std::make_unique<KeptTruss>(model, scene);
+    kept = fresh.get();
+    scene.kept = std::move(fresh);
+  }
+  return *kept;
+}
+
+std::string in_words(const OptimalOptions& options) {
+  std::string out =
+      options.objective == Objective::kSteps ? "least strides, then least length" : "least length, then least strides";
+  out += ", over all routes through the sampled transition footholds, with any footholds on the faces";
+  if (!options.banned.empty())
+    out += ", without " + std::to_string(options.banned.size()) + " strides for which no motion was found";
+  return out;
+}
+
+}  // namespace
+
+Found plan_optimal(const Model& model, const PreparedTruss& scene, const Foothold& start, const Foothold& goal,
+                   const OptimalOptions& options, const std::stop_token& stop, const OnStride& on_stride) {
+  Found out;
+  out.objective = in_words(options);
+  TrussGraph graph(model, scene, kept_of(model, scene), start, goal, options);
+  const SearchResult result = search_route(graph, options.max_nodes, stop);
+  out.figures.push_back({"states", static_cast<double>(result.settled), 0.0, "1"});
+  out.lower_bound = result.bound == kNever ? 0.0 : result.bound.first;
+  switch (result.outcome) {
+    case SearchResult::Outcome::kStopped:
+      out.outcome = Found::Outcome::kStopped;
+      return out;
+    case SearchResult::Outcome::kLimit:
+      out.failure = {PlanError::kSearchLimit, "parameters.max_nodes",
+                     "the search gave up after " + std::to_string(result.settled) + " states", "raise max_nodes"};
+      return out;
+    case SearchResult::Outcome::kNone:
+      out.failure = {PlanError::kUnreachableGoal, "goal", "no route leads to the goal", "move the goal, or sample more densely"};
+      return out;
+    case SearchResult::Outcome::kFound:
+      break;
+  }
+  out.outcome = Found::Outcome::kReached;
+  out.route.start = start;
+  for (const Hop& hop : result.hops)
+    for (Stride& stride : graph.strides_of(hop)) out.route.strides.push_back(std::move(stride));
+  out.cost = result.cost.first;
+  out.lower_bound = std::min(out.lower_bound, out.cost);
+  out.optimal = out.cost - out.lower_bound <= 1e-9;
+  if (on_stride)
+    for (const Stride& stride : out.route.strides)
+      if (!on_stride(stride)) {
+        out.outcome = Found::Outcome::kStopped;
+        break;
+      }
+  return out;
+}
+
+}  // namespace foothold::hyrecro

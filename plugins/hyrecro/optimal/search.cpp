@@ -1,0 +1,138 @@
+#include "hyrecro/optimal/search.hpp"
+
+#include <algorithm>
+#include <queue>
+
+#include "hyrecro/optimal/labels.hpp"
+
+namespace foothold::hyrecro {
+namespace {
+
+// Forward, lazily. A state is 2 * node + (departing ? 1 : 0).
+class Forward {
+ public:
+  Forward(RouteGraph& graph, Labels& labels, std::size_t max_settled, const std::stop_token& stop)
+      : graph_(graph),
+        labels_(labels),
+        max_settled_(max_settled),
+        stop_(stop),
+        parent_(2 * static_cast<std::size_t>(graph.nodes()), -2) {}
+
+  SearchResult run() {
+    SearchResult out;
+    push({}, 2 * graph_.start(), -1, true);
+    while (!queue_.empty()) {
+      if (stop_.stop_requested() || labels_.stopped()) return ended(out, SearchResult::Outcome::kStopped);
+      if (labels_.settled() + settled_ > max_settled_) return ended(out, SearchResult::Outcome::kLimit);
+      const Entry entry = queue_.top();
+      queue_.pop();
+      if (parent_[static_cast<std::size_t>(entry.state)] != -2) continue;
+      if (!entry.exact && refine(entry)) continue;
+      if (!entry.evaluated && !evaluate(entry)) continue;
+      parent_[static_cast<std::size_t>(entry.state)] = entry.parent;
+      ++settled_;
+      if (entry.state == 2 * graph_.goal() + 1) {
+        trace(entry.state, out);
+        out.cost = entry.cost;
+        return ended(out, SearchResult::Outcome::kFound);
+      }
+      expand(entry);
+    }
+    return ended(out, labels_.stopped() ? SearchResult::Outcome::kStopped : SearchResult::Outcome::kNone);
+  }
+
+ private:
+  struct Entry {
+    Cost total, cost;
+    int state, parent;
+    bool evaluated, exact;
+    std::size_t number;  // equal costs: first come, first served
+    friend bool operator<(const Entry& a, const Entry& b) {
+      return b.total < a.total || (a.total == b.total && b.number < a.number);
+    }
+  };
+
+  void push(const Cost& cost, int state, int parent, bool evaluated) {
+    const Labels::Estimate rest = labels_.estimate(state);
+    if (rest.cost == kNever) return;
+    queue_.push({cost + rest.cost, cost, state, parent, evaluated, rest.exact, number_++});
+  }
+
+  // Takes the label to exactness; true if the entry had to go back (or out).
+  bool refine(const Entry& entry) {
+    labels_.settle(entry.state);
+    const Labels::Estimate rest = labels_.estimate(entry.state);
+    if (rest.cost == kNever) return true;
+    if (!(entry.total < entry.cost + rest.cost)) return false;
+    queue_.push({entry.cost + rest.cost, entry.cost, entry.state, entry.parent, entry.evaluated, true, entry.number});
+    return true;
+  }
+
+  // True if the entry may be settled as it is.
+  bool evaluate(const Entry& entry) {
+    const int from = entry.parent / 2, to = entry.state / 2;
+    if (entry.state % 2 == 0) return graph_.transition(from, to);
+    const Cost real = graph_.leg(from, to);
+    if (real == kNever) return false;
+    const Cost cost = arrived_.at(static_cast<std::size_t>(from)) + real;
+    if (!(entry.cost < cost)) return true;
+    const Labels::Estimate rest = labels_.estimate(entry.state);
+    queue_.push({cost + rest.cost, cost, entry.state, entry.parent, true, rest.exact, entry.number});
+    return false;
+  }
+
+  void expand(const Entry& entry) {
+    const int node = entry.state / 2;
+    if (entry.state % 2 == 1) {
+      for (const RouteGraph::Transition& transition : graph_.transitions(node))
+        if (parent_[2 * static_cast<std::size_t>(transition.to)] == -2)
+          push(entry.cost + transition.cost, 2 * transition.to, entry.state, false);
+      return;
+    }
+    if (arrived_.empty()) arrived_.resize(static_cast<std::size_t>(graph_.nodes()), kNever);
+    arrived_[static_cast<std::size_t>(node)] = entry.cost;
+    const std::span<const int> there = graph_.on_face(graph_.face_of(node));
+    bounds_.resize(there.size());
+    graph_.leg_bounds(node, bounds_);
+    for (std::size_t i = 0; i < there.size(); ++i)
+      if (parent_[2 * static_cast<std::size_t>(there[i]) + 1] == -2)
+        push(entry.cost + bounds_[i], 2 * there[i] + 1, entry.state, there[i] == node);
+  }
+
+  void trace(int state, SearchResult& out) const {
+    for (int at = state; parent_[static_cast<std::size_t>(at)] >= 0; at = parent_[static_cast<std::size_t>(at)]) {
+      const int before = parent_[static_cast<std::size_t>(at)];
+      if (at / 2 != before / 2) out.hops.push_back({before / 2, at / 2, at % 2 == 1});
+    }
+    std::reverse(out.hops.begin(), out.hops.end());
+  }
+
+  SearchResult& ended(SearchResult& out, SearchResult::Outcome outcome) const {
+    out.outcome = outcome;
+    out.settled = settled_ + labels_.settled();
+    return out;
+  }
+
+  RouteGraph& graph_;
+  Labels& labels_;
+  std::size_t max_settled_;
+  const std::stop_token& stop_;
+  std::vector<int> parent_;  // by state; -2: not settled, -1: the root
+  std::vector<Cost> arrived_;
+  std::vector<Cost> bounds_;
+  std::priority_queue<Entry> queue_;
+  std::size_t number_ = 0, settled_ = 0;
+};
+
+}  // namespace
+
+SearchResult search_route(RouteGraph& graph, std::size_t max_settled, const std::stop_token& stop) {
+  Labels labels(graph, max_settled, stop);
+  labels.settle(2 * graph.start());
+  const Cost bound = labels.estimate(2 * graph.start()).cost;
+  SearchResult out = Forward(graph, labels, max_settled, stop).run();
+  out.bound = bound;
+  return out;
+}
+
+}  // namespace foothold::hyrecro

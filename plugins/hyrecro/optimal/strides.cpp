@@ -1,0 +1,43 @@
+#include "hyrecro/optimal/strides.hpp"
+
+namespace foothold::hyrecro {
+
+Strides::Strides(const Model& model, const PreparedTruss& scene)
+    : model_(model),
+      scene_(scene),
+      bounds_(model),
+      level_(model, bounds_.shift()),
+      reachability_(make_exact(model, scene.clearance)) {}
+
+std::optional<Coordinates> Strides::level(const Foothold& from, const Foothold& to) const {
+  const Eigen::Rotation2Dd back(-from.heading);
+  const Isometry3d holding = pose_of(scene_.truss, from);
+  std::optional<Coordinates> out;
+  level_.any(back * (to.at - from.at), to.heading - from.heading, [&](const Coordinates& coordinates) {
+    const Bodies bodies = bodies_at(model_, coordinates, holding);
+    if (!free_of_itself(bodies, scene_.clearance) || !scene_.obstacles.free(bodies, scene_.clearance)) return false;
+    out = coordinates;
+    return true;
+  });
+  return out;
+}
+
+std::optional<Coordinates> Strides::exact(const Foothold& from, const Foothold& to) {
+  const Isometry3d holding = pose_of(scene_.truss, from);
+  const Isometry3d pose = holding.inverse(Eigen::Isometry) * pose_of(scene_.truss, to);
+  return reachability_->reach(pose, [&](const Coordinates& coordinates) { return clear(coordinates, holding); }).coordinates;
+}
+
+std::optional<Coordinates> Strides::alone(const Isometry3d& free_in_holding) {
+  return reachability_->reach(free_in_holding, {}).coordinates;
+}
+
+bool Strides::clear(const Coordinates& coordinates, const Isometry3d& holding) const {
+  return scene_.obstacles.free(bodies_at(model_, coordinates, holding), scene_.clearance);
+}
+
+bool Strides::on_face(const Foothold& foothold) const {
+  return plate_on_face(model_, scene_.truss.faces[static_cast<std::size_t>(foothold.face)], foothold);
+}
+
+}  // namespace foothold::hyrecro

@@ -1,0 +1,78 @@
+// A truss as the search sees it: the scene's transition footholds, start and goal; legs and transitions judged when asked for, and
+// kept for later requests of the same scene.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "hyrecro/optimal/legs.hpp"
+#include "hyrecro/optimal/optimal.hpp"
+#include "hyrecro/optimal/search.hpp"
+
+namespace foothold::hyrecro {
+
+// What later requests find again. Transition footholds by their index in Transitions::all().
+struct KeptTruss final : PreparedTruss::Kept {
+  KeptTruss(const Model& model, const PreparedTruss& scene);
+
+  struct Leg {
+    int least = 0;  // strides: proved
+    bool found = false;
+    std::vector<Stride> strides;
+  };
+
+  Strides strides;
+  Legs legs;
+  // By objective and foothold: what may be reached from it, judged without the scene.
+  std::array<std::vector<std::vector<RouteGraph::Transition>>, 2> transitions;
+  std::array<std::vector<char>, 2> listed;
+  std::unordered_map<std::uint64_t, std::optional<Coordinates>> judged;  // transitions by both ends, with the scene
+  std::unordered_map<std::uint64_t, Leg> walked;                         // legs by both ends
+};
+
+// Borrows everything. One request's view. Node numbers: transition footholds, then start, then goal.
+class TrussGraph final : public RouteGraph {
+ public:
+  TrussGraph(const Model& model, const PreparedTruss& scene, KeptTruss& kept, const Foothold& start, const Foothold& goal,
+             const OptimalOptions& options);
+
+  int nodes() const override { return samples_ + 2; }
+  int start() const override { return samples_; }
+  int goal() const override { return samples_ + 1; }
+  int face_of(int node) const override { return at(node).face; }
+  std::span<const int> on_face(int face) const override;
+  void leg_bounds(int node, std::span<Cost> out) override;
+  Cost leg(int from, int to) override;
+  std::span<const Transition> transitions(int node) override;
+  bool transition(int from, int to) override;
+  Cost from_start(int node) const override;
+
+  const Foothold& at(int node) const;
+  // Of a hop that leg() or transition() has found possible.
+  std::vector<Stride> strides_of(const Hop& hop);
+
+ private:
+  Cost cost(int strides, double length) const;
+  Vector3d place(int node) const;
+  Isometry3d pose(int node) const;
+  const KeptTruss::Leg& walk(int from, int to);
+  const std::optional<Coordinates>& judge(int from, int to);
+  const std::vector<Transition>& kept_list(int sample);
+  void list_own(int end);
+
+  const Model& model_;
+  const PreparedTruss& scene_;
+  KeptTruss& kept_;
+  Foothold start_, goal_;
+  const OptimalOptions& options_;
+  Banned banned_;
+  int samples_;
+  std::vector<int> start_face_, goal_face_;                       // nodes there, with start and goal
+  std::unordered_map<int, std::vector<Transition>> own_lists_;    // of start, goal, and the footholds that reach them
+  std::unordered_map<std::uint64_t, KeptTruss::Leg> own_walked_;  // with start, goal or bans
+  std::unordered_map<std::uint64_t, std::optional<Coordinates>> own_judged_;
+};
+
+}  // namespace foothold::hyrecro
