@@ -38,6 +38,8 @@ class PlanarMechanism {
   Interval offsets(double phi) const;
   // |phi| beyond which offsets() is empty.
   double greatest_phi() const { return greatest_phi_; }
+  double base() const { return b_; }
+  double body() const { return p_; }
   double shortest() const { return shortest_; }
   double longest() const { return longest_; }
 

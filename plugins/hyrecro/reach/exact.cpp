@@ -1,0 +1,45 @@
+#include "hyrecro/reach/exact.hpp"
+
+namespace foothold::hyrecro {
+namespace {
+
+// No posture reaches further than both legs stretched in line with the hip.
+double greatest_distance(const Model& model) {
+  const double leg = 2.0 * model.mechanism.offsets(0.0).high - model.core;
+  return model.hip_distance + 2.0 * (model.ankle_height + leg + model.hip_drop);
+}
+
+// The plates are where the pose says, whatever the posture.
+bool plates_apart(const Model& model, const Isometry3d& pose, double clearance) {
+  const double thickness = model.plate.z() - model.skin;
+  const Vector3d half = 0.5 * Vector3d(model.plate.x(), model.plate.y(), thickness);
+  const double raised = model.skin + 0.5 * thickness;
+  const auto plate = [&](const Isometry3d& sole) { return collision::Box{sole * Eigen::Translation3d(0.0, 0.0, raised), half}; };
+  return !collision::nearer(plate(Isometry3d::Identity()), plate(pose), clearance);
+}
+
+}  // namespace
+
+Exact::Exact(const Model& model, double clearance, const CellSearchOptions& options)
+    : model_(model), clearance_(clearance), cells_(model, clearance, options) {}
+
+bool Exact::for_each_solution(const Isometry3d& pose, const Offer& take) {
+  if (pose.translation().norm() > greatest_distance(model_) || !plates_apart(model_, pose, clearance_)) return false;
+  return cells_.search(pose, [&](const Coordinates& coordinates) {
+    return free_of_itself(bodies_at(model_, coordinates, Isometry3d::Identity()), clearance_) && take(coordinates);
+  });
+}
+
+Reach Exact::reach(const Isometry3d& pose, const Admit& admit) {
+  Reach out;
+  out.reachable = for_each_solution(pose, [&](const Coordinates& coordinates) {
+    if (admit && !admit(coordinates)) return false;
+    out.coordinates = coordinates;
+    return true;
+  });
+  return out;
+}
+
+std::unique_ptr<Reachability> make_exact(const Model& model, double clearance) { return std::make_unique<Exact>(model, clearance); }
+
+}  // namespace foothold::hyrecro
