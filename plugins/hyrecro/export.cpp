@@ -14,6 +14,6 @@ FOOTHOLD_EXPORT_PLANNER(foothold::hyrecro::HyrecroPlanner,
                             .limbs = "A|B",
                             .start_needs = "contacts: where one foot holds, or both; joints may be given with them",
                             .goal_needs = "contacts: one foothold, for either foot",
-                            .prepare_parameters = "method|clearance|d_cncv|d_cnvx|transition_step|position_step|heading_step",
+                            .prepare_parameters = "method|clearance|d_cncv|d_cnvx|transition_step",
                             .parameters = foothold::hyrecro::kParameters,
                             .parameter_count = std::size(foothold::hyrecro::kParameters)}))

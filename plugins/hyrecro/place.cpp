@@ -67,11 +67,23 @@ double overhang(const Model& model, const truss::Face& face, const Foothold& foo
   return worst;
 }
 
+// The foothold itself if the whole plate lies on its face.
+static Foothold on_face(const Model& model, const truss::Truss& truss, const Foothold& at, const std::string& field) {
+  const truss::Face& face = truss.faces[static_cast<std::size_t>(at.face)];
+  if (!plate_on_face(model, face, at)) {
+    const double over = overhang(model, face, at);
+    if (over > 0.0) invalid(field + ".position", "the plate reaches ", over, " m over the edge of the face '", face.name, "'");
+    invalid(field + ".position", "the plate lies over a gap of the face '", face.name, "'");
+  }
+  return at;
+}
+
 Foothold place_of(const Model& model, const truss::Truss& truss, const Contact& contact, const std::string& field,
                   double tolerance) {
   if (truss.faces.empty()) invalid(field, "the scene has no face to stand on");
   Seen best;
   if (contact.face.empty()) {
+    if (const auto at = foothold_at(truss, contact.frame, tolerance)) return on_face(model, truss, *at, field);
     // A tilted foot is told so if it touches a face; else the face that is nearest counts.
     const auto rank = [&](const Seen& seen) { return std::pair(std::max(seen.distance, tolerance), seen.tilt); };
     best = seen_from(truss, 0, contact.frame);
@@ -87,12 +99,7 @@ Foothold place_of(const Model& model, const truss::Truss& truss, const Contact& 
   if (best.tilt > tolerance)
     invalid(field + ".orientation", "the foot's +Z must be the normal of the face '", face.name, "' and is ", in_degrees(best.tilt),
             " deg off it");
-  if (!plate_on_face(model, face, best.foothold)) {
-    const double over = overhang(model, face, best.foothold);
-    if (over > 0.0) invalid(field + ".position", "the plate reaches ", over, " m over the edge of the face '", face.name, "'");
-    invalid(field + ".position", "the plate lies over a gap of the face '", face.name, "'");
-  }
-  return best.foothold;
+  return on_face(model, truss, best.foothold, field);
 }
 
 }  // namespace foothold::hyrecro

@@ -12,6 +12,8 @@
 namespace foothold::hyrecro {
 namespace {
 
+constexpr std::size_t kWorkspacesKept = 4;
+
 const PreparedTruss& truss_of(const PreparedScene& scene) { return dynamic_cast<const PreparedTruss&>(scene); }
 
 truss::Truss read(const Scene& scene) {
@@ -24,16 +26,13 @@ truss::Truss read(const Scene& scene) {
 
 HyrecroPlanner::HyrecroPlanner(const RobotModel& model) : model_(Model::from_model(model)) {}
 
-std::shared_ptr<const PlanarWorkspace> HyrecroPlanner::workspace(const Options& options) {
-  std::erase_if(workspaces_, [](const auto& entry) { return entry.second.expired(); });
-  auto& kept = workspaces_[{options.position_step, options.heading_step, options.clearance}];
-  last_workspace_ = kept.lock();
-  if (!last_workspace_) {
-    auto made = PlanarWorkspace::make(model_, options.position_step, options.heading_step, options.clearance);
-    last_workspace_ = std::make_shared<const PlanarWorkspace>(std::move(*made));
-    kept = last_workspace_;
-  }
-  return last_workspace_;
+std::shared_ptr<const PlanarWorkspace> HyrecroPlanner::workspace(const Options& options, const std::stop_token& stop) {
+  const WorkspaceKey key{options.position_step, options.heading_step, options.clearance};
+  if (const auto kept = workspaces_.find(key); kept != workspaces_.end()) return kept->second;
+  auto made = PlanarWorkspace::make(model_, options.position_step, options.heading_step, options.clearance, stop);
+  if (!made) return nullptr;
+  if (workspaces_.size() == kWorkspacesKept) workspaces_.clear();
+  return workspaces_[key] = std::make_shared<const PlanarWorkspace>(std::move(*made));
 }
 
 Reachability& HyrecroPlanner::exact(double clearance) const {
@@ -44,9 +43,7 @@ Reachability& HyrecroPlanner::exact(double clearance) const {
 
 std::shared_ptr<const PreparedScene> HyrecroPlanner::prepare(const Scene& scene, const Parameters& parameters) {
   const Options options = read_options(parameters);
-  auto out = std::make_shared<PreparedTruss>(model_, read(scene), options.sampling, options.clearance);
-  out->workspace = workspace(options);
-  return out;
+  return std::make_shared<PreparedTruss>(model_, read(scene), options.sampling, options.clearance);
 }
 
 std::vector<Beginning> HyrecroPlanner::beginnings(const Request& request, const PreparedTruss& scene) const {
@@ -96,9 +93,13 @@ Found HyrecroPlanner::search(const Options& options, const PreparedTruss& scene,
 PlanReport HyrecroPlanner::plan(const Request& request, const Parameters& parameters, const PreparedScene& scene,
                                 PlanContext& context) {
   const PreparedTruss& truss = truss_of(scene);
-  Options options = read_options(parameters);
+  const Options options = read_options(parameters);
   const std::vector<Beginning> from = beginnings(request, truss);
   const Foothold goal = read_goal(model_, truss, request.goal);
+  if (options.method == Method::kPaper) {
+    truss.workspace = workspace(options, context.stop);
+    if (!truss.workspace) return stopped_report();
+  }
   const Search searched = [&](const Options& with, const Grip& grip) { return search(with, truss, grip, goal, context); };
   const Travel travel = plan_travel(model_, truss, options, from, searched, context);
   if (travel.stopped) return stopped_report();

@@ -35,7 +35,8 @@ class HyrecroPlanner final : public Planner {
   std::vector<Shape> shapes(const Posture& posture) const override;
 
  private:
-  std::shared_ptr<const PlanarWorkspace> workspace(const Options& options);
+  // Made once for the same steps and clearance, whatever the scene. Null if stopped.
+  std::shared_ptr<const PlanarWorkspace> workspace(const Options& options, const std::stop_token& stop);
   Reachability& exact(double clearance) const;
   // One for a robot on one foot, one for each foot that may stay for one on both.
   std::vector<Beginning> beginnings(const Request& request, const PreparedTruss& scene) const;
@@ -43,13 +44,11 @@ class HyrecroPlanner final : public Planner {
                PlanContext& context) const;
 
   Model model_;
-  // By steps and clearance; what no scene needs any more goes.
   struct WorkspaceKey {
     double position_step, heading_step, clearance;
     auto operator<=>(const WorkspaceKey&) const = default;
   };
-  std::map<WorkspaceKey, std::weak_ptr<const PlanarWorkspace>> workspaces_;
-  std::shared_ptr<const PlanarWorkspace> last_workspace_;
+  std::map<WorkspaceKey, std::shared_ptr<const PlanarWorkspace>> workspaces_;
   mutable std::map<double, std::unique_ptr<Reachability>> exact_;  // by clearance
 };
 

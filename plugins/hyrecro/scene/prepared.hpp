@@ -9,7 +9,7 @@
 
 namespace foothold::hyrecro {
 
-// Immutable but for `kept`; used by one thread at a time.
+// Immutable but for what is mutable; used by one thread at a time.
 struct PreparedTruss final : PreparedScene {
   PreparedTruss(const Model& model, truss::Truss truss, const SamplingOptions& options, double clearance);
   std::vector<Shape> shapes() const override;  // every face; beams as boxes
@@ -18,7 +18,8 @@ struct PreparedTruss final : PreparedScene {
   Obstacles obstacles;
   Transitions transitions;
   double clearance;                                  // m
-  std::shared_ptr<const PlanarWorkspace> workspace;  // set by the planner, which shares it between scenes
+  // Set by the planner before plan_paper(), which alone reads it; shared between scenes.
+  mutable std::shared_ptr<const PlanarWorkspace> workspace;
   // What a search wants to find again in later requests of the same scene (`optimal`: transitions judged, faces' strides). Owned by
   // the search.
   struct Kept {
