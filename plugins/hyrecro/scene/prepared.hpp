@@ -26,6 +26,7 @@ struct PreparedTruss final : PreparedScene {
     virtual ~Kept() = default;
   };
   mutable std::unique_ptr<Kept> kept;
+  mutable std::unique_ptr<Kept> kept_by_paper;  // the same for `method: paper`
 };
 
 }  // namespace foothold::hyrecro
