@@ -12,7 +12,7 @@ namespace foothold::hyrecro {
 // Immutable but for what is mutable; used by one thread at a time.
 struct PreparedTruss final : PreparedScene {
   PreparedTruss(const Model& model, truss::Truss truss, const SamplingOptions& options, double clearance);
-  std::vector<Shape> shapes() const override;  // every face; beams as boxes
+  std::vector<Shape> shapes() const override;  // beams as boxes, faces given by themselves and faces of meshes as polygons
 
   truss::Truss truss;
   Obstacles obstacles;
