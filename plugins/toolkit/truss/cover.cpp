@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <optional>
+#include <utility>
 
 #include "geometry/near_boxes.hpp"
 #include "geometry/region.hpp"
@@ -59,6 +59,11 @@ bool overlap(const Polygon& a, const Polygon& b) {
   return box_a.intersects(box_b);
 }
 
+Vector2d first_corner(const Polygon& polygon) {
+  return *std::min_element(polygon.begin(), polygon.end(),
+                           [](const Vector2d& a, const Vector2d& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); });
+}
+
 }  // namespace
 
 void cut_covered(std::vector<Face>& faces, const std::vector<Solid>& solids) {
@@ -90,6 +95,11 @@ void cut_covered(std::vector<Face>& faces, const std::vector<Solid>& solids) {
       continue;
     }
     std::vector<geometry::Region> pieces = geometry::difference({faces[f].outline, faces[f].holes}, found->second);
+    // Numbered along the face's X axis (a beam's own), whatever order the clipping has.
+    std::sort(pieces.begin(), pieces.end(), [](const geometry::Region& a, const geometry::Region& b) {
+      const Vector2d p = first_corner(a.outline), q = first_corner(b.outline);
+      return std::pair(p.x(), p.y()) < std::pair(q.x(), q.y());
+    });
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       Face piece = faces[f];
       if (pieces.size() > 1) piece.name += "." + std::to_string(k + 1);
