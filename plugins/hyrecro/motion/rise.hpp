@@ -1,0 +1,20 @@
+// From a stance to the posture with the free foot lifted, free of collisions; moving with both soles in place first if need be.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hyrecro/motion/clear_way.hpp"
+#include "hyrecro/motion/motion.hpp"
+
+namespace foothold::hyrecro {
+
+// Straight between the postures; first is the stance, last has the free sole `options.lift` (and a thousandth of it) above its
+// place. Leg 1 alone lifts. Where it has no room, or something is in the way, the nearest posture with both soles in place is
+// looked for, if `shifts`, on a grid of the free variables of the inverse kinematics, from which it can. Empty, with a sentence in
+// `reason`, if there is none.
+std::optional<std::vector<Coordinates>> rise(const Surroundings& around, const Coordinates& stance, const MotionOptions& options,
+                                             bool shifts, std::string& reason);
+
+}  // namespace foothold::hyrecro

@@ -1,0 +1,41 @@
+#include "hyrecro/motion/solutions.hpp"
+
+#include <cmath>
+
+#include "hyrecro/reach/inverse.hpp"
+
+namespace foothold::hyrecro {
+namespace {
+
+// rad: greatest |psi1| that is tried for a singular pose.
+constexpr double kGreatestTilt = 0.8;
+
+}  // namespace
+
+std::vector<Coordinates> solutions(const Model& model, const Isometry3d& pose, const SolutionGrid& grid, const Coordinates* near) {
+  const double greatest = model.mechanism.greatest_phi();
+  const double shortest = 2.0 * model.mechanism.shortest() - model.core, longest = 2.0 * model.mechanism.longest() - model.core;
+  std::vector<Coordinates> out;
+  const auto scan = [&](const Branch& branch, double psi1) {
+    const int angles = static_cast<int>(greatest / grid.phi1), lengths = static_cast<int>((longest - shortest) / grid.lambda);
+    for (int i = -angles; i <= angles; ++i)
+      for (int j = 0; j <= lengths; ++j)
+        if (const auto c = inverse(model, pose, branch, {i * grid.phi1, shortest + j * grid.lambda, 0.5, 0.5, psi1}))
+          out.push_back(*c);
+  };
+  const Branch given = near ? branch_of(*near) : Branch{};
+  for (const int s2 : {1, -1}) {
+    if (near && s2 != given.s2) continue;
+    if (singular(pose)) {  // the sign s1 means nothing there
+      const double middle = near ? near->leg[1].psi() : 0.0;
+      const int tilts = near ? 4 : static_cast<int>(kGreatestTilt / grid.psi1);
+      for (int k = -tilts; k <= tilts; ++k) scan({1, s2}, middle + k * grid.psi1);
+      continue;
+    }
+    for (const int s1 : {1, -1})
+      if (!near || s1 == given.s1) scan({s1, s2}, 0.0);
+  }
+  return out;
+}
+
+}  // namespace foothold::hyrecro
