@@ -27,7 +27,7 @@ Blocked judge(const Surroundings& around, const std::vector<Coordinates>& way) {
 
 std::optional<std::vector<Coordinates>> rise(const Surroundings& around, const Coordinates& stance, const MotionOptions& options,
                                              bool shifts, std::string& reason) {
-  const double height = 1.001 * options.lift;
+  const double height = kLiftFactor * options.lift;
   if (const auto line = lift(around.model, stance, height, options.line_tolerance)) {
     const Blocked blocked = judge(around, *line);
     if (!blocked) return line;

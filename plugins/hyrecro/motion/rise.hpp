@@ -10,10 +10,14 @@
 
 namespace foothold::hyrecro {
 
-// Straight between the postures; first is the stance, last has the free sole `options.lift` (and a thousandth of it) above its
-// place. Leg 1 alone lifts. Where it has no room, or something is in the way, the nearest posture with both soles in place is
-// looked for, if `shifts`, on a grid of the free variables of the inverse kinematics, from which it can. Empty, with a sentence in
-// `reason`, if there is none.
+// The foot is lifted by a tenth more than asked for, so that who samples a motion sees it leave the line above the height asked
+// for.
+inline constexpr double kLiftFactor = 1.1;
+
+// Straight between the postures; first is the stance, last has the free sole kLiftFactor `options.lift` above its place. Leg 1
+// alone lifts. Where it has no room, or something is in the way, the nearest posture with both soles in place is looked for, if
+// `shifts`, on a grid of the free variables of the inverse kinematics, from which it can. Empty, with a sentence in `reason`, if
+// there is none.
 std::optional<std::vector<Coordinates>> rise(const Surroundings& around, const Coordinates& stance, const MotionOptions& options,
                                              bool shifts, std::string& reason);
 

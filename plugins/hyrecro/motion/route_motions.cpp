@@ -9,6 +9,7 @@
 
 #include "hyrecro/motion/lift.hpp"
 #include "hyrecro/motion/move.hpp"
+#include "hyrecro/motion/rise.hpp"
 #include "hyrecro/motion/solutions.hpp"
 
 namespace foothold::hyrecro {
@@ -69,13 +70,14 @@ std::vector<Stance> candidates(const Surroundings& around, const Isometry3d& pla
   return out;
 }
 
-class Strides {
+// Choice of stances and motions of strides, in turn.
+class Chain {
  public:
-  Strides(const Model& model, const Obstacles& obstacles, const truss::Truss& truss, const Route& route, const Coordinates& start,
-          bool free_lifts, const MotionOptions& options, std::mt19937_64& random, const std::stop_token& stop)
+  Chain(const Model& model, const Obstacles& obstacles, const truss::Truss& truss, const Route& route, const Coordinates& start,
+        bool free_lifts, const MotionOptions& options, std::mt19937_64& random, const std::stop_token& stop)
       : model_(model), start_(start), free_lifts_(free_lifts), options_(options), random_(random), stop_(stop) {
     const std::size_t strides = route.strides.size();
-    const double height = 1.001 * options.lift;
+    const double height = kLiftFactor * options.lift;
     stances_.resize(strides + 1);
     Stance first = stance_of(model, swapped(start), height);
     if (!free_lifts) first.leaving = to_actuators(model, start);
@@ -193,7 +195,7 @@ class Strides {
 RouteMotions plan_motions(const Model& model, const Obstacles& obstacles, const truss::Truss& truss, const Route& route,
                           const Coordinates& start, bool free_lifts, const MotionOptions& options, std::mt19937_64& random,
                           const std::stop_token& stop) {
-  return Strides(model, obstacles, truss, route, start, free_lifts, options, random, stop).run(route);
+  return Chain(model, obstacles, truss, route, start, free_lifts, options, random, stop).run(route);
 }
 
 }  // namespace foothold::hyrecro
