@@ -32,8 +32,8 @@ CellSearch::CellSearch(const Model& model, double clearance, const CellSearchOpt
     const double d_phi = most / angles, d_psi = 2.0 * d_phi;
     const double shift = longest * d_phi + model.hip_drop * d_psi + half_stroke / lengths + b * d_psi;
     const double turned = (model.hip_distance + model.hip_drop) * d_psi;
-    singular_grids_.push_back(
-        {angles, lengths, kTrust * (LegLimits::kSlope * (shift + turned) + limits_.turn_slope() * d_psi), shift});
+    singular_grids_.push_back({angles, lengths, kTrust * (LegLimits::kSlope * (shift + turned) + limits_.turn_slope() * d_psi),
+                               shift, kTrust * (2.0 * shift + turned)});
     auto& ticks = singular_ticks_.emplace_back();
     for (int i = 0; i < angles; ++i) ticks.push_back(tick(most * (2.0 * i + 1.0 - angles) / angles));
   }
@@ -41,7 +41,7 @@ CellSearch::CellSearch(const Model& model, double clearance, const CellSearchOpt
     const int angles = 10 << level, lengths = 4 << level;
     const double d_phi = most / angles;
     const double shift = (longest + 2.0 * b) * d_phi + half_stroke / lengths;
-    regular_grids_.push_back({angles, lengths, kTrust * LegLimits::kSlope * shift, shift});
+    regular_grids_.push_back({angles, lengths, kTrust * LegLimits::kSlope * shift, shift, kTrust * 2.0 * shift});
   }
   for (auto* cells : {&cells_, &halved_, &inside_}) cells->reserve(options.most_cells);
 }
@@ -54,9 +54,18 @@ CellSearch::Tick CellSearch::tick(double angle) const {
 void CellSearch::set_up(const Isometry3d& pose) {
   pose_ = PaperPose(pose);
   singular_ = std::hypot(pose_.r(0, 2), pose_.r(1, 2)) < kSingular;
-  offers_ = 0;
+  postures_ = offers_ = 0;
   cells_.clear();
   inside_.clear();
+  const Vector3d raised(0.0, 0.5 * (model_.skin + model_.plate.z()), 0.0);
+  for (std::size_t j = 0; j < 2; ++j) {
+    collision::Box& plate = bodies_.plate[j];
+    plate.half = 0.5 * Vector3d(model_.plate.x(), model_.plate.z() - model_.skin, model_.plate.y());
+    plate.pose.setIdentity();
+    if (j == 1) plate.pose.linear() = pose_.r;
+    plate.pose.translation() = j == 1 ? Vector3d(pose_.p + pose_.r * raised) : raised;
+  }
+  bodies_.hip.half = 0.5 * Vector3d(model_.hip_plate.x(), model_.hip_plate.z(), model_.hip_plate.y());
   if (singular_) return;
   for (std::size_t branch = 0; branch < 2; ++branch) {
     const double s1 = branch == 0 ? 1.0 : -1.0, psi0 = std::atan2(s1 * pose_.r(1, 2), s1 * pose_.r(0, 2));
@@ -122,22 +131,30 @@ CellSearch::Posture CellSearch::at(const Cell& cell) const {
   return out;
 }
 
-// Whether anything in the cell can be within limits. The hip's swing is not of bounded slope where it is across, so its change is
-// bounded by the interval of its sine.
-bool CellSearch::may_hold(const Posture& posture, const Grid& grid) const {
-  if (posture.margin + grid.radius >= 0.0 && posture.beyond <= 0.0) return true;
-  const double t = model_.hip_distance, side = std::fabs(posture.uz);
-  const double change = singular_ ? 1e-9 : std::hypot(pose_.r(2, 0), pose_.r(2, 1)) * grid.shift;
-  if (side - change > t) return false;
+// How much further or less far across the hip may be in the cell: not of bounded slope where it is all across, so bounded by the
+// interval of its sine.
+double CellSearch::swing(const Posture& posture, const Grid& grid) const {
+  if (singular_) return 0.0;
+  const double t = model_.hip_distance, side = std::fabs(posture.uz), change = side_change(grid);
   const auto across = [t](double z) { return std::sqrt(std::max(0.0, t * t - z * z)); };
   const double here = across(side);
-  const double swing = std::max(across(std::max(0.0, side - change)) - here, here - across(side + change));
-  return posture.margin + grid.radius + LegLimits::kSlope * swing >= 0.0;
+  return std::max(across(std::max(0.0, side - change)) - here, here - across(side + change));
 }
 
-void CellSearch::add(Cell cell, const Grid& grid) {
+// Whether anything in the cell can be within limits, and the legs apart.
+bool CellSearch::may_hold(const Cell& cell, const Posture& posture, const Grid& grid, bool judge_legs) const {
+  if (posture.beyond > side_change(grid)) return false;
+  if (posture.margin + grid.radius < 0.0 && posture.margin + grid.radius + LegLimits::kSlope * swing(posture, grid) < 0.0)
+    return false;
+  if (!judge_legs || posture.beyond > 0.0) return true;
+  const auto [leg0, leg1] = legs(cell, posture);
+  const double gap = clearance_ - grid.legs;
+  return gap <= -leg0.radius - leg1.radius || !collision::nearer(leg0, leg1, gap - swing(posture, grid));
+}
+
+void CellSearch::add(Cell cell, const Grid& grid, bool judge_legs) {
   const Posture posture = at(cell);
-  if (!may_hold(posture, grid)) return;
+  if (!may_hold(cell, posture, grid, judge_legs)) return;
   cell.margin = posture.beyond > 0.0 ? std::min(posture.margin, -posture.beyond) : posture.margin;
   cells_.push_back(cell);
   if (cell.margin > kInside) inside_.push_back(cell);
@@ -158,20 +175,29 @@ void CellSearch::refine(const Grid& grid) {
       child.i = static_cast<short>(2 * cell.i + (part & 1));
       child.k = static_cast<short>(2 * cell.k + (part >> 1 & 1));
       child.j = static_cast<short>(2 * cell.j + (part >> 2));
-      add(child, grid);
+      add(child, grid, true);
     }
 }
 
-bool CellSearch::legs_apart(const Cell& cell, const Posture& posture) const {
+// In the paper's frame of the sole that holds.
+std::array<collision::Capsule, 2> CellSearch::legs(const Cell& cell, const Posture& posture) const {
   const Tick& one = first_[cell.s1 > 0 ? 0 : 1][static_cast<std::size_t>(cell.i)];
-  const double length0 = std::hypot(posture.wx, posture.wy), a = model_.ankle_height, begin = model_.leg_begin;
-  const Vector3d w0(posture.wx, posture.wy, 0.0), ankle(0.0, a, 0.0);
-  const collision::Capsule leg0{ankle + (begin / length0) * w0, ankle + w0, model_.leg_radius};
-  const auto on_leg1 = [&](double along) -> Vector3d {
-    return pose_.p + pose_.r * Vector3d(-along * one.sine, a + along * one.cosine, 0.0);
-  };
-  const collision::Capsule leg1{on_leg1(begin), on_leg1(posture.lambda), model_.leg_radius};
-  return !collision::nearer(leg0, leg1, clearance_);
+  const double a = model_.ankle_height, begin = model_.leg_begin;
+  const Vector3d w0(posture.wx, posture.wy, 0.0), ankle0(0.0, a, 0.0);
+  const Vector3d ankle1 = pose_.p + a * pose_.r.col(1), n1 = one.cosine * pose_.r.col(1) - one.sine * pose_.r.col(0);
+  return {collision::Capsule{ankle0 + (begin / w0.norm()) * w0, ankle0 + w0, model_.leg_radius},
+          collision::Capsule{ankle1 + begin * n1, ankle1 + posture.lambda * n1, model_.leg_radius}};
+}
+
+bool CellSearch::free_of_itself(const Cell& cell, const Posture& posture) {
+  bodies_.leg = legs(cell, posture);
+  if (collision::nearer(bodies_.leg[0], bodies_.leg[1], clearance_)) return false;
+  const Turn& turn = posture.turn;
+  const double t = model_.hip_distance, across = cell.s2 * std::sqrt(std::max(0.0, t * t - posture.uz * posture.uz));
+  const Vector3d up(-turn.sin0, turn.cos0, 0.0), along(across * turn.cos0, across * turn.sin0, posture.uz);
+  bodies_.hip.pose.linear() << along / t, up, (along / t).cross(up);
+  bodies_.hip.pose.translation() = bodies_.leg[0].b + model_.hip_drop * up + 0.5 * along;
+  return hyrecro::free_of_itself(bodies_, clearance_);
 }
 
 Coordinates CellSearch::coordinates(const Cell& cell, const Posture& posture) const {
@@ -196,13 +222,15 @@ Coordinates CellSearch::coordinates(const Cell& cell, const Posture& posture) co
 bool CellSearch::offer_all(const Offer& offer) {
   const auto less_room = [](const Cell& a, const Cell& b) { return a.margin < b.margin; };
   std::make_heap(inside_.begin(), inside_.end(), less_room);
-  while (!inside_.empty() && offers_ < options_.most_offers) {
+  while (!inside_.empty() && !spent()) {
     std::pop_heap(inside_.begin(), inside_.end(), less_room);
     const Cell cell = inside_.back();
     inside_.pop_back();
     const Posture posture = at(cell);
+    ++postures_;
+    if (!free_of_itself(cell, posture)) continue;
     ++offers_;
-    if (legs_apart(cell, posture) && offer(coordinates(cell, posture))) return true;
+    if (offer(coordinates(cell, posture))) return true;
   }
   return false;
 }
@@ -222,13 +250,13 @@ bool CellSearch::search(const Isometry3d& free_in_holding, const Offer& offer) {
       for (short i = 0; i < count; ++i)
         for (short j = 0; j < (singular_ ? count : 1); ++j)
           for (short k = 0; k < lengths_; ++k)
-            add({i, j, k, static_cast<signed char>(s1), static_cast<signed char>(s2), 0.0}, grids[0]);
+            add({i, j, k, static_cast<signed char>(s1), static_cast<signed char>(s2), 0.0}, grids[0], false);
   }
   for (std::size_t level = 1;; ++level) {
     if (offer_all(offer)) return true;
-    if (level == grids.size() || cells_.empty() || offers_ >= options_.most_offers) return false;
+    if (level == grids.size() || cells_.empty() || spent()) return false;
     if (level >= levels) {
-      if (offers_ > 0) return false;
+      if (postures_ > 0) return false;
       if (cells_.size() > kClimbers) {
         const auto end = cells_.begin() + static_cast<std::ptrdiff_t>(kClimbers);
         std::nth_element(cells_.begin(), end, cells_.end(), [](const Cell& a, const Cell& b) { return a.margin > b.margin; });

@@ -9,23 +9,25 @@
 #include <functional>
 #include <vector>
 
+#include "hyrecro/model/bodies.hpp"
 #include "hyrecro/reach/leg_limits.hpp"
 
 namespace foothold::hyrecro {
 
-// Takes a posture (true ends the search) that is within limits; collisions are its own business.
+// Takes a posture (true ends the search) that is within limits and free of itself.
 using Offer = std::function<bool(const Coordinates&)>;
 
 struct CellSearchOptions {
-  std::size_t most_offers = 20'000;  // of one pose
-  std::size_t most_cells = 16'384;   // of one level; the roomiest are kept
+  std::size_t most_postures = 6'000;  // looked at for one pose, free of themselves or not
+  std::size_t most_offers = 2'000;    // of one pose
+  std::size_t most_cells = 6'144;     // of one level; the roomiest are kept
 };
 
 // Keeps its arrays between calls; used by one thread at a time.
 class CellSearch {
  public:
   CellSearch(const Model& model, double clearance, const CellSearchOptions& options = {});
-  // True if an offer was taken. Offers only postures whose legs' capsules are `clearance` apart; the rest is for `offer` to judge.
+  // True if an offer was taken.
   bool search(const Isometry3d& free_in_holding, const Offer& offer);
 
  private:
@@ -48,17 +50,23 @@ class CellSearch {
   };
   struct Grid {
     int angles = 0, lengths = 0;
-    double radius = 0.0;  // m: as far the margin in a cell may differ from that of its centre, hips aside
+    double radius = 0.0;  // m: as far the margin in a cell may differ from that of its centre, the hips' swing aside
     double shift = 0.0;   // m: as far the free leg's hip may be from that of its centre
+    double legs = 0.0;    // m: as far the legs' distance may differ from that of its centre, the hips' swing aside
   };
 
   void set_up(const Isometry3d& pose);
   void set_ticks(std::size_t level);
   Posture at(const Cell& cell) const;
-  bool may_hold(const Posture& posture, const Grid& grid) const;
-  void add(Cell cell, const Grid& grid);
+  bool spent() const { return postures_ >= options_.most_postures || offers_ >= options_.most_offers; }
+  // m: as far the hips' distance across the plane of the leg that holds may differ in a cell.
+  double side_change(const Grid& grid) const { return singular_ ? 0.0 : std::hypot(pose_.r(2, 0), pose_.r(2, 1)) * grid.shift; }
+  double swing(const Posture& posture, const Grid& grid) const;
+  bool may_hold(const Cell& cell, const Posture& posture, const Grid& grid, bool judge_legs) const;
+  void add(Cell cell, const Grid& grid, bool judge_legs);
   void refine(const Grid& grid);
-  bool legs_apart(const Cell& cell, const Posture& posture) const;
+  std::array<collision::Capsule, 2> legs(const Cell& cell, const Posture& posture) const;
+  bool free_of_itself(const Cell& cell, const Posture& posture);
   Coordinates coordinates(const Cell& cell, const Posture& posture) const;
   bool offer_all(const Offer& offer);
   Tick tick(double angle) const;
@@ -75,7 +83,8 @@ class CellSearch {
   std::array<Turn, 2> regular_turn_;  // for s1 = 1 and -1
   std::array<std::vector<Tick>, 2> first_, second_;
   int lengths_ = 1;
-  std::size_t offers_ = 0;
+  std::size_t postures_ = 0, offers_ = 0;
+  Bodies bodies_;  // in the paper's frame of the sole that holds; plates set once for a pose
   std::vector<Cell> cells_, halved_, inside_;
 };
 

@@ -25,9 +25,7 @@ Exact::Exact(const Model& model, double clearance, const CellSearchOptions& opti
 
 bool Exact::for_each_solution(const Isometry3d& pose, const Offer& take) {
   if (pose.translation().norm() > greatest_distance(model_) || !plates_apart(model_, pose, clearance_)) return false;
-  return cells_.search(pose, [&](const Coordinates& coordinates) {
-    return free_of_itself(bodies_at(model_, coordinates, Isometry3d::Identity()), clearance_) && take(coordinates);
-  });
+  return cells_.search(pose, take);
 }
 
 Reach Exact::reach(const Isometry3d& pose, const Admit& admit) {
