@@ -44,6 +44,11 @@ void judge_speed(const Model& model, const MotionPoint& from, const MotionPoint&
 
 double judge_path(const Setting& setting, const Stances& stances, const Step& step, const Posture& before, Clearance& least) {
   const std::vector<MotionPoint>& points = step.motion;
+  if (const double error = difference(points.front().joints, before.joints); error > kSame)
+    refuse("the motion begins ", error, " (m or rad) away from the joints before the step");
+  if (const double error = difference(points.back().joints, step.after.joints); error > kSame)
+    refuse("the motion ends ", error, " (m or rad) away from the joints after the step");
+
   double reach = HUGE_VAL;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const std::string where = "motion point " + std::to_string(k);
@@ -54,11 +59,6 @@ double judge_path(const Setting& setting, const Stances& stances, const Step& st
     if (k == 0 && !(points[k].time >= 0.0)) refuse(where, ": its time is ", points[k].time, " s");
     if (k > 0) judge_speed(setting.model, points[k - 1], points[k], where);
   }
-  if (const double error = difference(points.front().joints, before.joints); error > kSame)
-    refuse("the motion begins ", error, " (m or rad) away from the joints before the step");
-  if (const double error = difference(points.back().joints, step.after.joints); error > kSame)
-    refuse("the motion ends ", error, " (m or rad) away from the joints after the step");
-
   std::vector<Piece> pieces;
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
     pieces.push_back({points[k].joints, points[k + 1].joints,

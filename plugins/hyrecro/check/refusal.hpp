@@ -17,7 +17,7 @@ struct Refusal {
 template <class... Parts>
 [[noreturn]] void refuse(const Parts&... parts) {
   std::ostringstream out;
-  out.precision(6);
+  out.precision(7);
   (out << ... << parts);
   throw Refusal{out.str()};
 }
