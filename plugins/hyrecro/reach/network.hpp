@@ -1,0 +1,12 @@
+// The perceptrons that are shipped with the planner, for tests, benches and the training program; the planner's way in is
+// make_network() in reachability.hpp.
+#pragma once
+
+#include "hyrecro/reach/poses.hpp"
+
+namespace foothold::hyrecro {
+
+// As plugins/hyrecro/reach/weights/<kind>.txt was when this was built. Throws std::runtime_error if that file is broken.
+TrainedPerceptron shipped_perceptron(PoseKind kind);
+
+}  // namespace foothold::hyrecro

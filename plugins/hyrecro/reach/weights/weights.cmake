@@ -1,0 +1,10 @@
+# foothold_hyrecro_weights(target): both weights files become a source of the target; a changed file makes it anew.
+function(foothold_hyrecro_weights target)
+  foreach(kind face transition)
+    set(file ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${kind}.txt)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(READ ${file} ${kind})
+  endforeach()
+  configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/weights.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/weights.cpp @ONLY)
+  target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/weights.cpp)
+endfunction()
