@@ -123,7 +123,8 @@ PlanReport HyrecroPlanner::plan(const Request& request, const Parameters& parame
 StepVerdict HyrecroPlanner::check(const Step& step, const Posture& before, const Parameters& parameters,
                                   const PreparedScene& scene) const {
   const PreparedTruss& truss = truss_of(scene);
-  return check_step(model_, truss.truss, truss.obstacles, parameters.real("clearance"), step, before);
+  const CheckOptions options{.clearance = parameters.real("clearance"), .lift = parameters.real("lift")};
+  return check_step(model_, truss.truss, truss.obstacles, options, step, before);
 }
 
 std::vector<Shape> HyrecroPlanner::shapes(const Posture& posture) const {

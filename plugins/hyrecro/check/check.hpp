@@ -22,10 +22,5 @@ struct CheckOptions {
 // with the values. Any thread.
 StepVerdict check_step(const Model& model, const truss::Truss& truss, const Obstacles& obstacles, const CheckOptions& options,
                        const Step& step, const Posture& before);
-// With the other options' defaults.
-inline StepVerdict check_step(const Model& model, const truss::Truss& truss, const Obstacles& obstacles, double clearance,
-                              const Step& step, const Posture& before) {
-  return check_step(model, truss, obstacles, CheckOptions{.clearance = clearance}, step, before);
-}
 
 }  // namespace foothold::hyrecro

@@ -12,7 +12,7 @@ namespace {
 class CheckOfSteps : public testing::Test {
  protected:
   StepVerdict verdict(const Walk& walk) const {
-    return check_step(model_, truss_, Obstacles(truss_), 0.005, walk.step, walk.before);
+    return check_step(model_, truss_, Obstacles(truss_), CheckOptions{}, walk.step, walk.before);
   }
 
   // A right step, changed; the reason of its refusal.
