@@ -8,24 +8,17 @@
 #include <stop_token>
 #include <vector>
 
-#include "hyrecro/model/chain.hpp"
+#include "hyrecro/reach/planar_postures.hpp"
 
 namespace foothold::hyrecro {
-
-// Pose in a face's plane: metres and radians, heading from the frame's X axis, counter-clockwise seen from outside.
-struct PlanarPose {
-  double x = 0.0, y = 0.0, heading = 0.0;
-};
-Isometry3d to_isometry(const PlanarPose& pose);
-// `b` seen from `a`.
-PlanarPose seen_from(const PlanarPose& a, const PlanarPose& b);
 
 // Immutable after construction; any thread. Grid points are multiples of `position_step`, headings of `heading_step` (which divides
 // 2 pi).
 class PlanarWorkspace {
  public:
-  // Computes it: every grid pose by exact reachability (self-collisions with `clearance` included, scene not). Some hundred ms at
-  // 0.01 m and 5 deg. Empty if stopped.
+  // Computes it: every grid pose by exact reachability (self-collisions with `clearance` included, scene not): level postures in
+  // closed form, and where there is none and both legs may lean (headings equal or opposite) by Exact. Only poses that no symmetry
+  // of the robot takes to each other are computed. Empty if stopped.
   static std::optional<PlanarWorkspace> make(const Model& model, double position_step, double heading_step, double clearance,
                                              const std::stop_token& stop = {});
 
@@ -35,8 +28,8 @@ class PlanarWorkspace {
   int extent() const { return extent_; }  // grid indices run from -extent to +extent
   // i, j in [-extent, extent], k in [0, headings).
   bool reachable(int i, int j, int k) const;
-  // The conservative solution of a reachable pose: the one whose bodies fill the largest bounding box (paper: "maximizes the
-  // volume").
+  // The conservative solution of a reachable pose: the one whose bodies fill the largest bounding box in the frame of the sole that
+  // holds (paper: "maximizes the volume"), of the level postures where there are any. Computed from one stored number.
   Coordinates conservative(int i, int j, int k) const;
   // r_max: longest reach along X, m. r_opt: radius of the circle on which most headings are reachable, m (paper, Figure 9).
   double r_max() const { return r_max_; }
@@ -50,13 +43,20 @@ class PlanarWorkspace {
 
  private:
   PlanarWorkspace() = default;
+  struct Table;
+  struct Canonical {
+    std::size_t entry;
+    bool holding_turned, mirrored, free_turned;
+  };
   std::size_t index(int i, int j, int k) const;
+  Canonical canonical(int i, int j, int k) const;
+  PlanarPose pose(int i, int j, int k) const;
+  void measure();
 
   double position_step_ = 0.0, heading_step_ = 0.0;
   int headings_ = 0, extent_ = 0;
   double r_max_ = 0.0, r_opt_ = 0.0;
   std::vector<Cell> cells_;
-  struct Table;
   std::shared_ptr<const Table> table_;
 };
 
