@@ -75,18 +75,20 @@ Found plan_paper(const Model& model, const PreparedTruss& scene, Reachability& r
   }
 
   double length = 0.0;
+  if (times) times->ppi.assign(1, 0.0);
   const Walker walker{model, scene, kept.order, solutions, options};
   for (std::size_t k = 1; k < global.waypoints.size(); ++k) {
     const Foothold& from = global.waypoints[k - 1].foothold;
     const Waypoint& to = global.waypoints[k];
     if (from.face != to.foothold.face) {
       found.route.strides.push_back({to.foothold, *to.coordinates});
+      if (times) times->ppi.push_back(0.0);
       continue;
     }
     if (from.at == to.foothold.at && from.heading == to.foothold.heading) continue;
     watch.lap();
     FaceWalk walk = walk_face(walker, kept.ground(scene.truss, from.face), from, to.foothold, stop);
-    if (times) times->ppi.push_back(watch.lap());
+    if (times) times->ppi.back() += watch.lap();
     if (walk.outcome == FaceWalk::Outcome::kStopped) return stopped();
     if (walk.outcome == FaceWalk::Outcome::kStuck) {
       const std::string& name = scene.truss.faces[static_cast<std::size_t>(from.face)].name;

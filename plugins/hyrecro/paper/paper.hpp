@@ -24,7 +24,7 @@ struct PaperOptions {
 // Milliseconds that each part took, for the bench's tables 1 and 2.
 struct PaperTimes {
   double ppt = 0.0;
-  std::vector<double> ppi;  // one for each face of the route
+  std::vector<double> ppi;  // one for each face of the route, in its order; 0 where there is nothing to walk
 };
 
 // Used by one thread at a time. The scene must have been sampled with both_headings = false to be the paper's.

@@ -4,6 +4,8 @@
 #include <limits>
 #include <queue>
 
+#include "hyrecro/reach/inverse.hpp"
+
 namespace foothold::hyrecro {
 namespace {
 
@@ -96,7 +98,7 @@ class Search {
     if (foothold(goal).face == face) on_face(goal);
     const auto across = [&](int to) {
       // What would not become better need not be asked; this changes no route.
-      if (!better(to, cost + distance(at, to))) return;
+      if (!better(to, cost + distance(at, to)) || !singular(pose(at).inverse() * pose(to))) return;
       const Answer answer = solutions_.solve(pose(at), pose(to));
       if (answer.reachable) improve(to, at, cost + distance(at, to), answer.coordinates);
     };

@@ -20,7 +20,8 @@ struct GlobalRoute {
 };
 
 // Neighbours of a node: all others on its face, at their straight distance (m); and those on other faces within `radius` (m, by k-d
-// tree) that `solutions` reach. Heuristic: the straight distance to the goal.
+// tree) that `solutions` reach in a singular posture, the soles' mechanisms parallel: the paper takes no others for transitions
+// (section 3.1). Heuristic: the straight distance to the goal.
 GlobalRoute search_transitions(const PreparedTruss& scene, JointSolutions& solutions, const Foothold& start, const Foothold& goal,
                                double radius, const std::stop_token& stop);
 
