@@ -12,35 +12,38 @@ namespace foothold::hyrecro {
 
 // A face with what the sampling asks of it over and over.
 struct SeenFace {
-  const truss::Face* face = nullptr;
-  std::vector<Vector3d> outline;  // in the world
+  explicit SeenFace(const truss::Face& of);
+
+  const truss::Face* face;
+  FaceEdges edges;
+  std::array<Vector3d, 4> corner;  // of the outline's bounding rectangle in the face's frame, world
   Vector3d normal;
   Eigen::AlignedBox3d bounds;
-};
-SeenFace seen(const truss::Face& face);
-
-// A line on one face along which soles may stand, at one distance from the meeting line.
-struct SoleLine {
-  Vector2d origin, along;          // in the face's frame; origin at t = 0
-  double heading = 0.0;            // rad, towards the meeting line
-  std::vector<Stretch> stretches;  // of t
 };
 
 struct FacePair {
   std::array<const SeenFace*, 2> faces;
   Vector3d at, l;  // a point of the meeting line and its direction
   std::array<Vector3d, 2> u;
+  std::array<Stretch, 2> along;              // what of t each face's rectangle takes up
+  std::array<std::array<double, 2>, 2> off;  // what of the distance along u_k from the line: least and most
 };
-// Empty if the planes are parallel (1e-3 rad).
-std::optional<FacePair> meet(const SeenFace& a, const SeenFace& b);
+// Empty if the planes are parallel (1e-3 rad) or the faces are apart by more than `apart` (m) along the line.
+std::optional<FacePair> meet(const SeenFace& a, const SeenFace& b, double apart);
 
-// The edge that they share and both fall away from: stretches of t along l. Empty if there is none.
+// The edge that they share and both fall away from: stretches of t along l, in order. Empty if there is none.
 std::vector<Stretch> convex_edge(const FacePair& pair);
-// Face k (0, 1) reaches into the front of the other far enough for a plate at `distance`.
-bool concave_room(const FacePair& pair, std::size_t k, double distance, double half_plate);
-// Soles on face k at `distance` (m) from the line, in front of the other face (`front`) or behind it.
-SoleLine sole_line(const Model& model, const FacePair& pair, std::size_t k, double distance, bool front);
-// The parts of `own` that are within `apart` (m) of `others`.
+
+// A line on one face along which soles may stand, at one distance from the meeting line.
+struct SoleLine {
+  Vector2d origin, along;          // in the face's frame; origin at t = 0
+  double heading = 0.0;            // rad, towards the meeting line
+  std::vector<Stretch> stretches;  // of t, within the window asked for
+};
+// Soles on face k (0, 1) at `distance` (m) from the line, in front of the other face (`front`) or behind it.
+SoleLine sole_line(const Model& model, const FacePair& pair, std::size_t k, double distance, bool front, const Stretch& window);
+
+// The parts of `own` that are within `apart` (m) of `others`; both in order.
 std::vector<Stretch> near_to(const std::vector<Stretch>& own, const std::vector<Stretch>& others, double apart);
 
 }  // namespace foothold::hyrecro

@@ -17,7 +17,7 @@ struct PreparedTruss final : PreparedScene {
   truss::Truss truss;
   Obstacles obstacles;
   Transitions transitions;
-  double clearance;                                  // m
+  double clearance;  // m
   // Set by the planner before plan_paper(), which alone reads it; shared between scenes.
   mutable std::shared_ptr<const PlanarWorkspace> workspace;
   // What a search wants to find again in later requests of the same scene (`optimal`: transitions judged, faces' strides). Owned by

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "truss/truss.hpp"
+#include "hyrecro/scene/face_edges.hpp"
 
 namespace foothold::hyrecro {
 
@@ -19,7 +19,7 @@ struct Slider {
   double low = 0.0, high = 0.0, half = 0.0;
 };
 
-// Middles for which the whole rectangle lies on the face, edges included (1e-9 m), in order. Any thread.
-std::vector<Stretch> free_stretches(const truss::Face& face, const Slider& slider);
+// Middles within `window` for which the whole rectangle lies on the face, edges included (1e-9 m), in order. Any thread.
+std::vector<Stretch> free_stretches(const FaceEdges& edges, const Slider& slider, const Stretch& window);
 
 }  // namespace foothold::hyrecro

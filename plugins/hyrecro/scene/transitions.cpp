@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <nanoflann.hpp>
 #include <numbers>
 
@@ -24,15 +25,23 @@ void add_samples(const Stretch& stretch, double step, std::vector<double>& out) 
   if (rest > kSame) out.push_back(stretch.end);
 }
 
+// Soles along one line of one face, before they become footholds.
+struct Row {
+  int face, towards;
+  bool convex;
+  Vector2d origin, along;
+  double heading;
+  std::size_t begin, end;  // of the places t
+};
+
 class Sampler {
  public:
-  Sampler(const Model& model, const truss::Truss& truss, const SamplingOptions& options, std::vector<TransitionFoothold>& all)
-      : model_(model), truss_(truss), options_(options), all_(all) {
-    convex_ = options.also_convex;
+  Sampler(const Model& model, const truss::Truss& truss, const SamplingOptions& options)
+      : model_(model), options_(options), convex_(options.also_convex), concave_(options.also_concave) {
     convex_.insert(convex_.begin(), options.convex);
-    concave_ = options.also_concave;
     concave_.insert(concave_.begin(), options.concave);
-    for (const truss::Face& face : truss.faces) faces_.push_back(seen(face));
+    faces_.reserve(truss.faces.size());
+    for (const truss::Face& face : truss.faces) faces_.emplace_back(face);
   }
 
   void sample() {
@@ -46,27 +55,37 @@ class Sampler {
     geometry::for_near_pairs(bounds, margin, [&](int i, int j) { sample(i, j); });
   }
 
+  const std::vector<Row>& rows() const { return rows_; }
+  const std::vector<double>& places() const { return places_; }
+
  private:
   void sample(int i, int j) {
     const SeenFace &a = faces_[static_cast<std::size_t>(i)], &b = faces_[static_cast<std::size_t>(j)];
-    const std::optional<FacePair> pair = meet(a, b);
+    const std::optional<FacePair> pair = meet(a, b, model_.hip_distance);
     if (!pair) return;
     if (const std::vector<Stretch> edge = convex_edge(*pair); !edge.empty()) sample(*pair, {i, j}, convex_, &edge);
     if (a.face->solid == b.face->solid && a.face->solid >= 0) return;  // a box bends outwards everywhere
     const double half = 0.5 * model_.plate.x();
-    for (std::size_t k = 0; k < 2; ++k)
-      if (std::none_of(concave_.begin(), concave_.end(), [&](double d) { return concave_room(*pair, k, d, half); })) return;
+    for (const auto& off : pair->off)
+      if (std::none_of(concave_.begin(), concave_.end(),
+                       [&](double d) { return off[0] <= d - half + 1e-6 && off[1] >= d + half - 1e-6; }))
+        return;
     sample(*pair, {i, j}, concave_, nullptr);
   }
 
   // Both faces of a pair, at all distances. `edge`: the convex edge that they share, or none.
   void sample(const FacePair& pair, const std::array<int, 2>& index, const std::vector<double>& distances,
               const std::vector<Stretch>* edge) {
+    const double apart = model_.hip_distance;
     std::array<std::vector<SoleLine>, 2> lines;
     std::array<std::vector<Stretch>, 2> stretches;
     for (std::size_t k = 0; k < 2; ++k) {
+      const Stretch& other = pair.along[1 - k];
+      const Stretch window = edge != nullptr ? Stretch{edge->front().begin, edge->back().end}
+                                             : Stretch{std::max(pair.along[k].begin, other.begin - apart),
+                                                       std::min(pair.along[k].end, other.end + apart)};
       for (const double distance : distances) {
-        lines[k].push_back(sole_line(model_, pair, k, distance, edge == nullptr));
+        lines[k].push_back(sole_line(model_, pair, k, distance, edge == nullptr, window));
         std::vector<Stretch>& own = lines[k].back().stretches;
         if (edge != nullptr) own = near_to(own, *edge, 0.0);
         stretches[k].insert(stretches[k].end(), own.begin(), own.end());
@@ -76,28 +95,18 @@ class Sampler {
     }
     for (std::size_t k = 0; k < 2; ++k)
       for (const SoleLine& line : lines[k]) {
-        places_.clear();
-        for (const Stretch& part : near_to(line.stretches, stretches[1 - k], model_.hip_distance))
-          add_samples(part, options_.step, places_);
-        for (const double t : places_) add(index[k], index[1 - k], line, t, edge != nullptr);
+        const std::size_t begin = places_.size();
+        for (const Stretch& part : near_to(line.stretches, stretches[1 - k], apart)) add_samples(part, options_.step, places_);
+        if (places_.size() > begin)
+          rows_.push_back({index[k], index[1 - k], edge != nullptr, line.origin, line.along, line.heading, begin, places_.size()});
       }
   }
 
-  void add(int face, int towards, const SoleLine& line, double t, bool convex) {
-    for (int turned = 0; turned <= (options_.both_headings ? 1 : 0); ++turned) {
-      double heading = line.heading;
-      if (turned == 1) heading += heading > 0.0 ? -std::numbers::pi : std::numbers::pi;
-      const Foothold foothold{face, line.origin + t * line.along, heading};
-      all_.push_back({foothold, pose_of(truss_, foothold), towards, convex});
-    }
-  }
-
   const Model& model_;
-  const truss::Truss& truss_;
   const SamplingOptions& options_;
-  std::vector<TransitionFoothold>& all_;
   std::vector<double> convex_, concave_;
   std::vector<SeenFace> faces_;
+  std::vector<Row> rows_;
   std::vector<double> places_;
 };
 
@@ -115,25 +124,45 @@ struct Transitions::Tree {
 
   using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Tree>, Tree, 3, std::uint32_t>;
   std::unique_ptr<Index> search;
+  std::once_flag made;
 };
 
 Transitions::Transitions(const Model& model, const truss::Truss& truss, const SamplingOptions& options)
-    : by_face_(truss.faces.size()) {
-  Sampler(model, truss, options, all_).sample();
-  auto tree = std::make_unique<Tree>();
-  tree->points.reserve(all_.size());
-  for (std::size_t k = 0; k < all_.size(); ++k) {
-    by_face_[static_cast<std::size_t>(all_[k].foothold.face)].push_back(static_cast<int>(k));
-    tree->points.push_back(all_[k].pose.translation());
+    : by_face_(truss.faces.size()), tree_(std::make_unique<Tree>()) {
+  Sampler sampler(model, truss, options);
+  sampler.sample();
+  const int headings = options.both_headings ? 2 : 1;
+  std::vector<std::size_t> counts(truss.faces.size(), 0);
+  for (const Row& row : sampler.rows())
+    counts[static_cast<std::size_t>(row.face)] += (row.end - row.begin) * static_cast<std::size_t>(headings);
+  for (std::size_t f = 0; f < counts.size(); ++f) by_face_[f].reserve(counts[f]);
+  all_.reserve(sampler.places().size() * static_cast<std::size_t>(headings));
+  for (const Row& row : sampler.rows()) {
+    const Isometry3d& frame = truss.faces[static_cast<std::size_t>(row.face)].frame;
+    for (int turned = 0; turned < headings; ++turned) {
+      double heading = row.heading;
+      if (turned == 1) heading += heading > 0.0 ? -std::numbers::pi : std::numbers::pi;
+      TransitionFoothold sole{{row.face, row.origin, heading}, {}, row.towards, row.convex};
+      sole.pose = pose_of(truss, sole.foothold);
+      for (std::size_t k = row.begin; k < row.end; ++k) {
+        sole.foothold.at = row.origin + sampler.places()[k] * row.along;
+        sole.pose.translation() = frame * Vector3d(sole.foothold.at.x(), sole.foothold.at.y(), 0.0);
+        by_face_[static_cast<std::size_t>(row.face)].push_back(static_cast<int>(all_.size()));
+        all_.push_back(sole);
+      }
+    }
   }
-  tree->search = std::make_unique<Tree::Index>(3, *tree, nanoflann::KDTreeSingleIndexAdaptorParams(16));
-  tree_ = std::move(tree);
 }
 
 Transitions::~Transitions() = default;
 Transitions::Transitions(Transitions&&) noexcept = default;
 
 std::vector<int> Transitions::near(const Vector3d& point, double radius, int face) const {
+  std::call_once(tree_->made, [this] {
+    tree_->points.reserve(all_.size());
+    for (const TransitionFoothold& sole : all_) tree_->points.push_back(sole.pose.translation());
+    tree_->search = std::make_unique<Tree::Index>(3, *tree_, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+  });
   std::vector<std::pair<std::uint32_t, double>> matches;
   tree_->search->radiusSearch(point.data(), radius * radius, matches, nanoflann::SearchParams());
   std::vector<int> out;

@@ -57,7 +57,7 @@ class Transitions {
   struct Tree;
   std::vector<TransitionFoothold> all_;
   std::vector<std::vector<int>> by_face_;
-  std::unique_ptr<const Tree> tree_;
+  std::unique_ptr<Tree> tree_;  // built by the first near()
 };
 
 // The part of a face in which a sole's centre keeps `inset` (m) from every edge: the paper's "safe" polygon (its Figure 2c), by

@@ -23,7 +23,7 @@ TEST(FreeStretches, HoldJustThePlacesWhereThePlateIsOnTheFace) {
     slider.low = -0.5 * kModel.plate.y();
     slider.high = 0.5 * kModel.plate.y();
     slider.half = 0.5 * kModel.plate.x();
-    const std::vector<Stretch> stretches = free_stretches(face, slider);
+    const std::vector<Stretch> stretches = free_stretches(FaceEdges(face), slider, {-2.0, 2.0});
     for (std::size_t k = 1; k < stretches.size(); ++k) EXPECT_LT(stretches[k - 1].end, stretches[k].begin);
     for (int trial = 0; trial < 400; ++trial) {
       const double t = uniform(random, -1.5, 1.5);
@@ -47,7 +47,7 @@ TEST(FreeStretches, HoldOnePlaceWhereThePlateJustFits) {
   truss::Face face;
   face.frame = Isometry3d::Identity();
   face.outline = {{0, 0}, {0.1, 0}, {0.1, 0.1}, {0, 0.1}};
-  const std::vector<Stretch> stretches = free_stretches(face, {{0.0, 0.05}, {1.0, 0.0}, -0.05, 0.05, 0.05});
+  const std::vector<Stretch> stretches = free_stretches(FaceEdges(face), {{0.0, 0.05}, {1.0, 0.0}, -0.05, 0.05, 0.05}, {-1.0, 1.0});
   ASSERT_EQ(stretches.size(), 1u);
   EXPECT_NEAR(stretches[0].begin, 0.05, 1e-9);
   EXPECT_NEAR(stretches[0].end, 0.05, 1e-9);
