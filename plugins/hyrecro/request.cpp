@@ -5,6 +5,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "hyrecro/motion/rise.hpp"
 #include "hyrecro/place.hpp"
 
 namespace foothold::hyrecro {
@@ -80,6 +81,7 @@ Options read_options(const Parameters& parameters) {
   out.paper.least_dot = parameters.real("least_dot");
   out.motions.clearance = out.clearance;
   out.motions.lift = parameters.real("lift");
+  if (out.motion) out.optimal.lift = kLiftFactor * out.motions.lift;
   return out;
 }
 

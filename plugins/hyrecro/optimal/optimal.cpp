@@ -5,10 +5,11 @@
 namespace foothold::hyrecro {
 namespace {
 
-KeptTruss& kept_of(const Model& model, const PreparedTruss& scene) {
+KeptTruss& kept_of(const Model& model, const PreparedTruss& scene, double lift) {
   auto* kept = dynamic_cast<KeptTruss*>(scene.kept.get());
-  if (kept == nullptr) {
+  if (kept == nullptr || kept->strides.lift() != lift) {
     auto fresh = std::make_unique<KeptTruss>(model, scene);
+    fresh->strides.demand_room(lift);
     kept = fresh.get();
     scene.kept = std::move(fresh);
   }
@@ -19,6 +20,7 @@ std::string in_words(const OptimalOptions& options) {
   std::string out =
       options.objective == Objective::kSteps ? "least strides, then least length" : "least length, then least strides";
   out += ", over all routes through the sampled transition footholds, with any footholds on the faces";
+  if (options.lift > 0.0) out += ", from which each foot can be lifted";
   if (!options.banned.empty())
     out += ", without " + std::to_string(options.banned.size()) + " strides for which no motion was found";
   return out;
@@ -30,7 +32,7 @@ Found plan_optimal(const Model& model, const PreparedTruss& scene, const Foothol
                    const OptimalOptions& options, const std::stop_token& stop, const OnStride& on_stride) {
   Found out;
   out.objective = in_words(options);
-  TrussGraph graph(model, scene, kept_of(model, scene), start, goal, options);
+  TrussGraph graph(model, scene, kept_of(model, scene, options.lift), start, goal, options);
   const SearchResult result = search_route(graph, options.max_nodes, stop);
   out.figures.push_back({"states", static_cast<double>(result.settled), 0.0, "1"});
   out.lower_bound = result.bound == kNever ? 0.0 : result.bound.first;

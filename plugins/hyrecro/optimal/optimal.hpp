@@ -11,7 +11,9 @@ namespace foothold::hyrecro {
 struct OptimalOptions {
   Objective objective = Objective::kSteps;
   std::size_t max_nodes = 1'000'000;  // of the search, before it gives up (NODE_LIMIT)
-  std::vector<Ban> banned;            // few; holds for this call alone. A proof is then one among the routes without them
+  // m: from every stance both feet must have room to rise so far along their normals, as motions do (see Strides); 0: need not.
+  double lift = 0.0;
+  std::vector<Ban> banned;  // few; holds for this call alone. A proof is then one among the routes without them
 };
 
 // Never more strides than plan_paper() with exact reachability on the same scene. Used by one thread at a time.

@@ -1,5 +1,7 @@
 #include "hyrecro/optimal/strides.hpp"
 
+#include "hyrecro/motion/lift.hpp"
+
 namespace foothold::hyrecro {
 
 Strides::Strides(const Model& model, const PreparedTruss& scene)
@@ -13,7 +15,11 @@ std::optional<Coordinates> Strides::level(const Foothold& from, const Foothold& 
   const Eigen::Rotation2Dd back(-from.heading);
   const Isometry3d holding = pose_of(scene_.truss, from);
   std::optional<Coordinates> out;
+  const auto room = [&](const Coordinates& c) {
+    return lift_ == 0.0 || (lifted(model_, c, lift_) && lifted(model_, swapped(c), lift_));
+  };
   level_.any(back * (to.at - from.at), to.heading - from.heading, [&](const Coordinates& coordinates) {
+    if (!room(coordinates)) return false;
     const Bodies bodies = bodies_at(model_, coordinates, holding);
     if (!free_of_itself(bodies, scene_.clearance) || !scene_.obstacles.free(bodies, scene_.clearance)) return false;
     out = coordinates;
@@ -25,11 +31,19 @@ std::optional<Coordinates> Strides::level(const Foothold& from, const Foothold& 
 std::optional<Coordinates> Strides::exact(const Foothold& from, const Foothold& to) {
   const Isometry3d holding = pose_of(scene_.truss, from);
   const Isometry3d pose = holding.inverse(Eigen::Isometry) * pose_of(scene_.truss, to);
-  return reachability_->reach(pose, [&](const Coordinates& coordinates) { return clear(coordinates, holding); }).coordinates;
+  const Reach reach = reachability_->reach(pose, [&](const Coordinates& coordinates) { return clear(coordinates, holding); });
+  return reach.reachable && has_room(pose) ? reach.coordinates : std::nullopt;
 }
 
 std::optional<Coordinates> Strides::alone(const Isometry3d& free_in_holding) {
-  return reachability_->reach(free_in_holding, {}).coordinates;
+  const Reach reach = reachability_->reach(free_in_holding, {});
+  return reach.reachable && has_room(free_in_holding) ? reach.coordinates : std::nullopt;
+}
+
+bool Strides::has_room(const Isometry3d& free_in_holding) {
+  const Eigen::Translation3d up(0.0, 0.0, lift_);
+  return lift_ == 0.0 || (reachability_->reach(free_in_holding * up, {}).reachable &&
+                          reachability_->reach(free_in_holding.inverse(Eigen::Isometry) * up, {}).reachable);
 }
 
 bool Strides::clear(const Coordinates& coordinates, const Isometry3d& holding) const {

@@ -16,6 +16,11 @@ class Strides {
  public:
   Strides(const Model& model, const PreparedTruss& scene);
 
+  // From now on both feet must have room to rise by `lift` (m, 0: none) along their normals from where they stand, without which no
+  // motion sets them down there or takes them away: proved by exact reachability, without the scene.
+  void demand_room(double lift) { lift_ = lift; }
+  double lift() const { return lift_; }
+
   const StrideBounds& bounds() const { return bounds_; }
   const Model& model() const { return model_; }
   const PreparedTruss& scene() const { return scene_; }
@@ -32,8 +37,11 @@ class Strides {
   bool on_face(const Foothold& foothold) const;
 
  private:
+  bool has_room(const Isometry3d& free_in_holding);
+
   const Model& model_;
   const PreparedTruss& scene_;
+  double lift_ = 0.0;
   StrideBounds bounds_;
   LevelPostures level_;
   std::unique_ptr<Reachability> reachability_;
