@@ -39,6 +39,19 @@ struct Curve {
   }
 };
 
+// The free sole's way along its normal.
+struct Line {
+  Isometry3d begin;
+  double height = 0.0, tolerance = 0.0;
+  Isometry3d at(double part) const { return begin * Eigen::Translation3d(0.0, 0.0, part * height); }
+  bool holds(const Isometry3d& sole) const {
+    const Isometry3d off = begin.inverse(Eigen::Isometry) * sole;
+    const Vector3d& place = off.translation();
+    return place.head<2>().squaredNorm() <= tolerance * tolerance && place.z() >= -tolerance && place.z() <= height + tolerance &&
+           Eigen::AngleAxisd(off.linear()).angle() <= tolerance;
+  }
+};
+
 double split_of(const Model& model, const Leg& leg) {
   const kinematics::Interval y1 = first_offsets(model, leg.phi1, leg.phi2, leg_length(model, leg));
   return y1.high > y1.low ? std::clamp((leg.y1 - y1.low) / (y1.high - y1.low), 0.0, 1.0) : 0.5;
@@ -77,33 +90,24 @@ std::optional<std::vector<Coordinates>> lift(const Model& model, const Coordinat
   const double split = split_of(model, stance.leg[1]);
   const std::optional<Coordinates> top = lifted(model, stance, height, split);
   if (!top) return std::nullopt;
-  const Isometry3d sole = forward(model, stance);
-  const auto near = [&](const Coordinates& c) {
-    const Isometry3d off = sole.inverse() * forward(model, c);
-    return off.translation().head<2>().norm() <= kOfTolerance * tolerance &&
-           Eigen::AngleAxisd(off.linear()).angle() <= kOfTolerance * tolerance;
-  };
+  const Line line{forward(model, stance), height, kOfTolerance * tolerance};
+  const auto near = [&](const Coordinates& c) { return line.holds(forward(model, c)); };
   return Curve{model, [&](double part) { return lifted(model, stance, part * height, split); }, near}.postures(stance, *top);
 }
 
-std::optional<std::vector<Coordinates>> shift(const Model& model, const Coordinates& from, const Coordinates& to,
+std::optional<std::vector<Coordinates>> slide(const Model& model, const Coordinates& from, const Coordinates& to, double height,
                                               double tolerance) {
-  const Isometry3d sole = forward(model, from);
+  const Line line{forward(model, from), height, kOfTolerance * tolerance};
   const Branch branch = branch_of(from);
   const Free first = free_of(model, from), last = free_of(model, to);
   const auto at = [&](double part) {
     const auto mixed = [&](double a, double b) { return a + part * (b - a); };
     const Free free{mixed(first.phi1, last.phi1), mixed(first.lambda, last.lambda), mixed(first.split0, last.split0),
                     mixed(first.split1, last.split1), mixed(first.psi1, last.psi1)};
-    return inverse(model, sole, branch, free);
+    return inverse(model, line.at(part), branch, free);
   };
-  const auto near = [&](const Coordinates& c) { return deviation(model, c, sole).within(kOfTolerance * tolerance); };
+  const auto near = [&](const Coordinates& c) { return line.holds(forward(model, c)); };
   return Curve{model, at, near}.postures(from, to);
-}
-
-Deviation deviation(const Model& model, const Coordinates& coordinates, const Isometry3d& pose) {
-  const Isometry3d off = pose.inverse() * forward(model, coordinates);
-  return {off.translation().norm(), Eigen::AngleAxisd(off.linear()).angle()};
 }
 
 }  // namespace foothold::hyrecro

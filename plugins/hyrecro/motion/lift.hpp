@@ -19,16 +19,11 @@ double room_to_lift(const Model& model, const Coordinates& stance, double most);
 // of the line and of the heading. First is the stance. Empty if leg 1 has no room.
 std::optional<std::vector<Coordinates>> lift(const Model& model, const Coordinates& stance, double height, double tolerance);
 
-// Moves within the postures that have both soles where `from` and `to` have them (same pose, same branch): the free variables
-// of the inverse kinematics go straight from those of `from` to those of `to`. Empty if limits or the closed form end on the way.
-// The straight ways between the postures keep the free sole within `tolerance` of its place.
-std::optional<std::vector<Coordinates>> shift(const Model& model, const Coordinates& from, const Coordinates& to, double tolerance);
-
-// How far the free sole of a posture is from a pose: m, and rad.
-struct Deviation {
-  double distance = 0.0, angle = 0.0;
-  bool within(double tolerance) const { return distance <= tolerance && angle <= tolerance; }
-};
-Deviation deviation(const Model& model, const Coordinates& coordinates, const Isometry3d& pose);
+// From `from` to `to`, whose free sole stands `height` (m, 0 or more) above that of `from` in the same orientation: it rises along
+// the normal while the free variables of the inverse kinematics go straight from those of `from` to those of `to`; so hip and both
+// legs move. Empty if limits or the closed form (both must be of one branch) end on the way. The straight ways between the postures
+// keep the free sole within `tolerance` (m and rad) of that line, and if `height` is 0 of its place.
+std::optional<std::vector<Coordinates>> slide(const Model& model, const Coordinates& from, const Coordinates& to, double height,
+                                              double tolerance);
 
 }  // namespace foothold::hyrecro

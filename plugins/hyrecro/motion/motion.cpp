@@ -56,9 +56,9 @@ MotionResult move(const Surroundings& around, const Coordinates& from, const Coo
                   const MotionOptions& options, const Effort& effort, std::mt19937_64& random) {
   std::string reason;
   std::optional<std::vector<Coordinates>> up{{from}};
-  if (free_lifts) up = rise(around, from, options, effort.shift_begin, reason);
+  if (free_lifts) up = rise(around, from, options, effort.whole_begin, reason);
   if (!up) return {std::nullopt, "the foot cannot leave its surface: " + reason};
-  const auto down = rise(around, to, options, effort.shift_end, reason);
+  const auto down = rise(around, to, options, effort.whole_end, reason);
   if (!down) return {std::nullopt, "the foot cannot be set down: " + reason};
 
   Writer writer(around.model);

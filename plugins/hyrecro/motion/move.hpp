@@ -7,7 +7,7 @@
 namespace foothold::hyrecro {
 
 struct Effort {
-  bool shift_begin = true, shift_end = true;  // other postures on the same footholds may be looked for; see rise()
+  bool whole_begin = true, whole_end = true;  // the whole robot may move to lift the foot, see rise()
   bool search = true;                         // RRTConnect may be used
 };
 

@@ -8,9 +8,10 @@
 namespace foothold::hyrecro {
 namespace {
 
-constexpr SolutionGrid kGrid{0.1, 0.01, 0.1};
-// Shifts that are judged before a stance is given up.
-constexpr std::size_t kMostShifts = 24;
+// Coarse, and fine for stances near the border of what can be reached.
+constexpr SolutionGrid kGrids[] = {{0.1, 0.01, 0.1}, {0.03, 0.003, 0.2}};
+// Ways up that are judged before a stance is given up.
+constexpr std::size_t kMostJudged = 24;
 
 Blocked judge(const Surroundings& around, const std::vector<Coordinates>& way) {
   Blocked out;
@@ -23,10 +24,25 @@ Blocked judge(const Surroundings& around, const std::vector<Coordinates>& way) {
   return out;
 }
 
+// Postures of the stance's branch with its free sole `height` above its place, nearest first (by the actuators' time).
+std::vector<Coordinates> nearest_first(const Model& model, const Coordinates& stance, double height, const SolutionGrid& grid) {
+  const Actuators at = to_actuators(model, stance);
+  const Isometry3d above = forward(model, stance) * Eigen::Translation3d(0.0, 0.0, height);
+  std::vector<Coordinates> out = solutions(model, above, grid, &stance);
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    order.emplace_back(duration(model, at, with_nearest_turns(at, to_actuators(model, out[i]))), i);
+  std::sort(order.begin(), order.end());
+  std::vector<Coordinates> sorted;
+  sorted.reserve(out.size());
+  for (const auto& [time, i] : order) sorted.push_back(out[i]);
+  return sorted;
+}
+
 }  // namespace
 
 std::optional<std::vector<Coordinates>> rise(const Surroundings& around, const Coordinates& stance, const MotionOptions& options,
-                                             bool shifts, std::string& reason) {
+                                             bool whole, std::string& reason) {
   const double height = kLiftFactor * options.lift;
   if (const auto line = lift(around.model, stance, height, options.line_tolerance)) {
     const Blocked blocked = judge(around, *line);
@@ -35,26 +51,17 @@ std::optional<std::vector<Coordinates>> rise(const Surroundings& around, const C
   } else {
     reason = "the leg has no room to lift its foot";
   }
-  if (!shifts) return std::nullopt;
-  const Actuators at = to_actuators(around.model, stance);
-  std::vector<std::pair<double, Coordinates>> others;
-  for (const Coordinates& other : solutions(around.model, forward(around.model, stance), kGrid, &stance))
-    if (lifted(around.model, other, height))
-      others.emplace_back(duration(around.model, at, with_nearest_turns(at, to_actuators(around.model, other))), other);
-  std::stable_sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  if (!whole) return std::nullopt;
   std::size_t judged = 0;
-  for (const auto& [time, other] : others) {
-    if (judged == kMostShifts || around.stop.stop_requested()) break;
-    const auto way = shift(around.model, stance, other, options.line_tolerance);
-    const auto line = way ? lift(around.model, other, height, options.line_tolerance) : std::nullopt;
-    if (!line) continue;
-    ++judged;
-    std::vector<Coordinates> out = *way;
-    out.insert(out.end(), line->begin() + 1, line->end());
-    const Blocked blocked = judge(around, out);
-    if (!blocked) return out;
-  }
-  reason += ", nor from another posture on the same footholds";
+  for (const SolutionGrid& grid : kGrids)
+    for (const Coordinates& top : nearest_first(around.model, stance, height, grid)) {
+      if (around.stop.stop_requested()) return std::nullopt;
+      const auto line = slide(around.model, stance, top, height, options.line_tolerance);
+      if (!line) continue;
+      if (!judge(around, *line)) return line;
+      if (++judged == kMostJudged) break;
+    }
+  reason += ", nor has the whole robot";
   return std::nullopt;
 }
 

@@ -1,4 +1,4 @@
-// From a stance to the posture with the free foot lifted, free of collisions; moving with both soles in place first if need be.
+// From a stance to the posture with the free foot lifted, free of collisions.
 #pragma once
 
 #include <optional>
@@ -14,11 +14,10 @@ namespace foothold::hyrecro {
 // for.
 inline constexpr double kLiftFactor = 1.1;
 
-// Straight between the postures; first is the stance, last has the free sole kLiftFactor `options.lift` above its place. Leg 1
-// alone lifts. Where it has no room, or something is in the way, the nearest posture with both soles in place is looked for, if
-// `shifts`, on a grid of the free variables of the inverse kinematics, from which it can. Empty, with a sentence in `reason`, if
-// there is none.
+// Straight between the postures; first is the stance, last has the free sole kLiftFactor `options.lift` above its place. By leg 1
+// alone, see lift(); where that has no room or something is in the way, and if `whole`, by the whole robot, see slide(): to the
+// nearest posture above for which the way is free. Empty, with a sentence in `reason`, if there is none.
 std::optional<std::vector<Coordinates>> rise(const Surroundings& around, const Coordinates& stance, const MotionOptions& options,
-                                             bool shifts, std::string& reason);
+                                             bool whole, std::string& reason);
 
 }  // namespace foothold::hyrecro

@@ -2,7 +2,7 @@
 //
 // Each stance has some candidates with room to lift either foot; dynamic programming takes those that are nearest to each other (by
 // the time that the actuators take). Where a stride between two of them has no motion in closed form, that pair is left out and
-// the rest chosen again; only if a stride runs out of pairs, other postures on the way and RRTConnect are tried.
+// the rest chosen again; only if a stride runs out of pairs, lifts by the whole robot and RRTConnect are tried.
 #include <algorithm>
 #include <limits>
 #include <set>
@@ -135,7 +135,7 @@ class Chain {
     }
   };
 
-  // From now on other postures on the way and RRTConnect may be used; what was refused without them may be tried again.
+  // From now on lifts by the whole robot and RRTConnect may be used; what was refused without them may be tried again.
   void all_effort(std::size_t stride) {
     refused_[stride] = kPairs;
     std::erase_if(blocked_, [stride](const Pair& pair) { return pair.stride == stride; });
