@@ -8,6 +8,7 @@
 #include <set>
 
 #include "hyrecro/motion/lift.hpp"
+#include "hyrecro/motion/liftable.hpp"
 #include "hyrecro/motion/move.hpp"
 #include "hyrecro/motion/rise.hpp"
 #include "hyrecro/motion/solutions.hpp"
@@ -41,12 +42,14 @@ double eccentricity(const Model& model, const Actuators& q) {
   return (q.head<8>().array() - middle).abs().maxCoeff() / model.actuator_speed;
 }
 
-std::vector<Stance> candidates(const Surroundings& around, const Isometry3d& placed, const Coordinates& given, bool last,
-                               double height) {
+// Empty if no posture is found with the one or the other foot lifted; then `reason` says so.
+std::vector<Stance> candidates(const Surroundings& around, Reachability& exact, const Isometry3d& placed, const Coordinates& given,
+                               bool last, double height, std::string& reason) {
   const Model& model = around.model;
+  const Isometry3d pose = around.holding.inverse(Eigen::Isometry) * placed;
   Surroundings from_placed{model, around.obstacles, placed, around.clearance, around.stop};
   std::vector<Stance> out, all;
-  for (const Coordinates& c : solutions(model, around.holding.inverse() * placed, kGrid, nullptr)) {
+  for (const Coordinates& c : solutions(model, pose, kGrid, nullptr)) {
     Stance stance = stance_of(model, c, height);
     if (last && lifted(model, c, height)) stance.cost = 0.0;
     if (stance.cost > 0.0) continue;
@@ -66,6 +69,14 @@ std::vector<Stance> candidates(const Surroundings& around, const Isometry3d& pla
     out.push_back(std::move(stance));
     if (out.size() == kCandidates) break;
   }
+  if (out.empty() && !free_foot_liftable(exact, pose, height)) {
+    reason = "the foot cannot be set down: at its place it cannot be lifted, reachability ends there";
+    return {};
+  }
+  if (out.empty() && !last && !holding_foot_liftable(exact, pose, height)) {
+    reason = "the other foot could not be lifted next: reachability ends there";
+    return {};
+  }
   out.push_back(stance_of(model, given, height));
   return out;
 }
@@ -77,6 +88,7 @@ class Chain {
         bool free_lifts, const MotionOptions& options, std::mt19937_64& random, const std::stop_token& stop)
       : model_(model), start_(start), free_lifts_(free_lifts), options_(options), random_(random), stop_(stop) {
     const std::size_t strides = route.strides.size();
+    const std::unique_ptr<Reachability> exact = make_exact(model, options.clearance);
     const double height = kLiftFactor * options.lift;
     stances_.resize(strides + 1);
     Stance first = stance_of(model, swapped(start), height);
@@ -85,15 +97,19 @@ class Chain {
     for (std::size_t i = 0; i < strides; ++i) {
       const Foothold& holds = i == 0 ? route.start : route.strides[i - 1].to;
       around_.push_back({model, obstacles, pose_of(truss, holds), options.clearance, stop});
-      stances_[i + 1] =
-          candidates(around_[i], pose_of(truss, route.strides[i].to), route.strides[i].coordinates, i + 1 == strides, height);
+      stances_[i + 1] = candidates(around_[i], *exact, pose_of(truss, route.strides[i].to), route.strides[i].coordinates,
+                                   i + 1 == strides, height, reason_);
+      if (!stances_[i + 1].empty()) continue;
+      impossible_ = static_cast<int>(i);
+      break;
     }
     choice_.assign(strides + 1, 0);
     refused_.assign(strides, 0);
   }
 
   RouteMotions run(const Route& route) {
-    RouteMotions out{route, {}, -1, ""};
+    RouteMotions out{route, {}, impossible_, reason_};
+    if (impossible_ >= 0) return out;
     while (made_.size() < refused_.size()) {
       if (!choose()) {
         const std::size_t last = static_cast<std::size_t>(out.failed);
@@ -188,6 +204,8 @@ class Chain {
   std::vector<std::size_t> refused_;          // pairs of stride i
   std::set<Pair> blocked_;
   std::vector<Made> made_;  // of the first strides
+  int impossible_ = -1;     // a stride without any stance, and why
+  std::string reason_;
 };
 
 }  // namespace

@@ -5,13 +5,6 @@
 #include "hyrecro/reach/inverse.hpp"
 
 namespace foothold::hyrecro {
-namespace {
-
-// rad: greatest |psi1| that is tried for a singular pose.
-constexpr double kGreatestTilt = 0.8;
-
-}  // namespace
-
 std::vector<Coordinates> solutions(const Model& model, const Isometry3d& pose, const SolutionGrid& grid, const Coordinates* near) {
   const double greatest = model.mechanism.greatest_phi();
   const double shortest = 2.0 * model.mechanism.shortest() - model.core, longest = 2.0 * model.mechanism.longest() - model.core;
@@ -28,7 +21,7 @@ std::vector<Coordinates> solutions(const Model& model, const Isometry3d& pose, c
     if (near && s2 != given.s2) continue;
     if (singular(pose)) {  // the sign s1 means nothing there
       const double middle = near ? near->leg[1].psi() : 0.0;
-      const int tilts = near ? 4 : static_cast<int>(kGreatestTilt / grid.psi1);
+      const int tilts = near ? 4 : static_cast<int>(2.0 * greatest / grid.psi1);
       for (int k = -tilts; k <= tilts; ++k) scan({1, s2}, middle + k * grid.psi1);
       continue;
     }
