@@ -1,6 +1,9 @@
 // Motions of whole routes, judged by the checker of steps as well.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "fixtures.hpp"
 #include "hyrecro/check/check.hpp"
 #include "hyrecro/posture.hpp"
@@ -66,7 +69,8 @@ void judge(const Obstacles& obstacles, const Walk& walk, const RouteMotions& mot
         << "stride " << k;
     Step step = to_step(shipped_model(), crossed_beams(), holding, stride, 0.0);
     add_motion(shipped_model(), crossed_beams(), holding, motions.motions[k], before.joints, step);
-    const StepVerdict verdict = check_step(shipped_model(), crossed_beams(), obstacles, options.clearance, step, before);
+    const StepVerdict verdict =
+        check_step(shipped_model(), crossed_beams(), obstacles, CheckOptions{.clearance = options.clearance}, step, before);
     EXPECT_TRUE(verdict.accepted) << "stride " << k << ": " << verdict.reason;
     before = step.after;
     from = swapped(stride.coordinates);

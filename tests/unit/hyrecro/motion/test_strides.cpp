@@ -1,10 +1,14 @@
 // Motions of single strides, each sampled a thousand times and judged by forward kinematics.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include "fixtures.hpp"
+#include "hyrecro/motion/lift.hpp"
 #include "hyrecro/motion/liftable.hpp"
+#include "hyrecro/motion/transfer.hpp"
 
 namespace foothold::hyrecro {
 namespace {
@@ -75,8 +79,9 @@ struct Round {
 };
 Round round_the_plate(const Obstacles& obstacles, std::mt19937_64& random) {
   Isometry3d beside = kOrigin, before = kOrigin;
-  beside.translation() << 0.08, 0.3, 0.0;
-  before.translation() << 0.36, 0.15, 0.0;
+  beside.linear() = Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3d::UnitZ()).toRotationMatrix();
+  beside.translation() << 0.05, 0.28, 0.0;
+  before.translation() << 0.36, 0.12, 0.0;
   const auto from = testing::random_solution(obstacles, kOrigin, beside, random, 0.005),
              to = testing::random_solution(obstacles, kOrigin, before, random, 0.005);
   EXPECT_TRUE(from && to);
@@ -99,7 +104,7 @@ TEST(Strides, GoRoundAThinPlateAndNeverThroughIt) {
   EXPECT_GE(found, 5);
 }
 
-TEST(Strides, AreRefusedWithAReasonWhereAWallEndsTheWay) {
+TEST(Strides, AreRefusedWithAReasonWhereAWallStandsBetweenTheFeet) {
   std::mt19937_64 random(3);
   const truss::Truss open = testing::plane(), closed = testing::plane_with_plate(0.22, -2.0, 2.0, 2.0, 0.002);
   const Obstacles without(open), with(closed);
@@ -122,9 +127,42 @@ TEST(Strides, RepeatThemselvesWithTheSameSeed) {
                        b = plan_motion(shipped_model(), obstacles, kOrigin, round.from, round.to, true, options, two, {});
     ASSERT_EQ(a.motion.has_value(), b.motion.has_value());
     EXPECT_EQ(a.reason, b.reason);
-    if (a.motion) EXPECT_TRUE(same(*a.motion, *b.motion));
+    if (a.motion) {
+      EXPECT_TRUE(same(*a.motion, *b.motion));
+    }
     EXPECT_EQ(one(), two());
   }
+}
+
+// Every way asked of RRTConnect, whether or not one in closed form is free.
+TEST(Connect, FindsWaysThatHoldUnderDenseSamplingAndRepeatsThem) {
+  const truss::Truss truss = testing::plane_with_plate(0.22, 0.16, 0.8, 0.15, 0.002);
+  const Obstacles obstacles(truss);
+  const Surroundings around{shipped_model(), obstacles, kOrigin, 0.005, {}};
+  std::mt19937_64 random(9);
+  int found = 0;
+  for (int n = 0; n < 10; ++n) {
+    const Round round = round_the_plate(obstacles, random);
+    const auto a = lifted(shipped_model(), round.from, 0.02), b = lifted(shipped_model(), round.to, 0.02);
+    if (!a || !b) continue;
+    const Actuators begin = to_actuators(shipped_model(), *a), end = with_nearest_turns(begin, to_actuators(shipped_model(), *b));
+    const std::uint64_t seed = random();
+    std::mt19937_64 one(seed), two(seed);
+    const auto way = connect(around, begin, {end}, 5000, one), again = connect(around, begin, {end}, 5000, two);
+    ASSERT_EQ(way, again);
+    if (!way) continue;
+    ++found;
+    EXPECT_EQ(way->front(), begin);
+    EXPECT_EQ(way->back(), end);
+    for (std::size_t k = 1; k < way->size(); ++k)
+      for (int s = 0; s <= 500; ++s) {
+        const Coordinates c = from_actuators(shipped_model(), (*way)[k - 1] + s / 500.0 * ((*way)[k] - (*way)[k - 1]));
+        const Bodies bodies = bodies_at(shipped_model(), c, kOrigin);
+        ASSERT_TRUE(within_limits(shipped_model(), c) && obstacles.free(bodies, 0.005 - 1e-9) &&
+                    free_of_itself(bodies, 0.005 - 1e-9));
+      }
+  }
+  EXPECT_GE(found, 3);
 }
 
 TEST(Strides, EndAtOnceWhenStopped) {
