@@ -29,7 +29,9 @@ std::vector<Sample> labelled(const Model& model, const LabelOptions& options, co
       for (std::size_t i = begin; i < end; ++i) {
         const Isometry3d pose = random_pose(options.kind, options.radius, random);
         out[i].inputs = inputs_of(options.kind, pose);
-        out[i].reachable = exact->reach(pose, {}).reachable ? 1.0F : 0.0F;
+        // The answer is the same from either foot; where the search misses a posture from one, it may find it from the other.
+        const bool reachable = exact->reach(pose, {}).reachable || exact->reach(pose.inverse(), {}).reachable;
+        out[i].reachable = reachable ? 1.0F : 0.0F;
       }
       const std::lock_guard lock(told);
       ready += end - begin;

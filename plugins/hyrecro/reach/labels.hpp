@@ -1,4 +1,4 @@
-// Poses with the answer of exact reachability: what the perceptrons learn from and are measured against.
+// Poses with the answer of exact reachability, asked from either foot: what the perceptrons learn from and are measured against.
 #pragma once
 
 #include <cstdint>

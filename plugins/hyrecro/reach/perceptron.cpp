@@ -1,6 +1,9 @@
 // Inference, with AVX2 where the CPU has it.
 #include "hyrecro/reach/perceptron.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -14,16 +17,17 @@ using P = Perceptron;
 float total(const std::array<float, P::kLanes>& s) { return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7])); }
 
 #if defined(__x86_64__)
-[[gnu::target("avx2")]] float logit_avx2(const Perceptron& net, const NetworkInputs& inputs) {
+[[gnu::target("avx2,fma")]] float logit_avx2(const Perceptron& net, const NetworkInputs& inputs) {
   const float* const values = net.values.data();
   const __m256 zero = _mm256_setzero_ps();
   __m256 first[P::kFirst / P::kLanes];
   for (std::size_t k = 0; k < P::kFirst / P::kLanes; ++k) first[k] = _mm256_load_ps(values + P::kBias1 + P::kLanes * k);
   for (std::size_t i = 0; i < P::kInputs; ++i) {
+    if (inputs[i] == 0.0F) continue;
     const __m256 input = _mm256_set1_ps(inputs[i]);
+    const float* const weights = values + P::kWeights1 + P::kFirst * i;
     for (std::size_t k = 0; k < P::kFirst / P::kLanes; ++k)
-      first[k] =
-          _mm256_add_ps(first[k], _mm256_mul_ps(input, _mm256_load_ps(values + P::kWeights1 + P::kFirst * i + P::kLanes * k)));
+      first[k] = _mm256_fmadd_ps(input, _mm256_load_ps(weights + P::kLanes * k), first[k]);
   }
   alignas(32) float hidden[P::kFirst];
   unsigned active = 0;
@@ -39,13 +43,16 @@ float total(const std::array<float, P::kLanes>& s) { return ((s[0] + s[4]) + (s[
     const __m256 input = _mm256_set1_ps(hidden[i]);
     const float* const weights = values + P::kWeights2 + P::kSecond * i;
     for (std::size_t k = 0; k < P::kSecond / P::kLanes; ++k)
-      second[k] = _mm256_add_ps(second[k], _mm256_mul_ps(input, _mm256_load_ps(weights + P::kLanes * k)));
+      second[k] = _mm256_fmadd_ps(input, _mm256_load_ps(weights + P::kLanes * k), second[k]);
   }
-  __m256 sum = zero;
-  for (std::size_t k = 0; k < P::kSecond / P::kLanes; ++k)
-    sum = _mm256_add_ps(sum, _mm256_mul_ps(_mm256_max_ps(second[k], zero), _mm256_load_ps(values + P::kWeights3 + P::kLanes * k)));
+  __m256 even = zero, odd = zero;
+  const float* const weights3 = values + P::kWeights3;
+  for (std::size_t k = 0; k < P::kSecond / P::kLanes; k += 2) {
+    even = _mm256_fmadd_ps(_mm256_max_ps(second[k], zero), _mm256_load_ps(weights3 + P::kLanes * k), even);
+    odd = _mm256_fmadd_ps(_mm256_max_ps(second[k + 1], zero), _mm256_load_ps(weights3 + P::kLanes * (k + 1)), odd);
+  }
   std::array<float, P::kLanes> lanes;
-  _mm256_storeu_ps(lanes.data(), sum);
+  _mm256_storeu_ps(lanes.data(), _mm256_add_ps(even, odd));
   return values[P::kBias3] + total(lanes);
 }
 #endif
@@ -55,7 +62,7 @@ using Logit = float (*)(const Perceptron&, const NetworkInputs&);
 Logit fastest() {
 #if defined(__x86_64__)
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2")) return logit_avx2;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return logit_avx2;
 #endif
   return logit_plain;
 }
@@ -71,16 +78,20 @@ float logit_plain(const Perceptron& net, const NetworkInputs& inputs) {
   std::array<float, P::kFirst> first;
   for (std::size_t j = 0; j < P::kFirst; ++j) first[j] = values[P::kBias1 + j];
   for (std::size_t i = 0; i < P::kInputs; ++i)
-    for (std::size_t j = 0; j < P::kFirst; ++j) first[j] += inputs[i] * values[P::kWeights1 + P::kFirst * i + j];
+    for (std::size_t j = 0; j < P::kFirst; ++j) first[j] = std::fma(inputs[i], values[P::kWeights1 + P::kFirst * i + j], first[j]);
   std::array<float, P::kSecond> second;
   for (std::size_t j = 0; j < P::kSecond; ++j) second[j] = values[P::kBias2 + j];
   for (std::size_t i = 0; i < P::kFirst; ++i)
     if (first[i] > 0.0F)
-      for (std::size_t j = 0; j < P::kSecond; ++j) second[j] += first[i] * values[P::kWeights2 + P::kSecond * i + j];
-  std::array<float, P::kLanes> sums{};
-  for (std::size_t j = 0; j < P::kSecond; ++j)
-    sums[j % P::kLanes] += (second[j] > 0.0F ? second[j] : 0.0F) * values[P::kWeights3 + j];
-  return values[P::kBias3] + total(sums);
+      for (std::size_t j = 0; j < P::kSecond; ++j)
+        second[j] = std::fma(first[i], values[P::kWeights2 + P::kSecond * i + j], second[j]);
+  std::array<std::array<float, P::kLanes>, 2> sums{};
+  for (std::size_t j = 0; j < P::kSecond; ++j) {
+    float& sum = sums[j / P::kLanes % 2][j % P::kLanes];
+    sum = std::fma(std::max(second[j], 0.0F), values[P::kWeights3 + j], sum);
+  }
+  for (std::size_t k = 0; k < P::kLanes; ++k) sums[0][k] += sums[1][k];
+  return values[P::kBias3] + total(sums[0]);
 }
 
 }  // namespace foothold::hyrecro

@@ -1,7 +1,7 @@
 // The perceptron of the paper (section 3.1, Figure 5): six inputs, 32 and 64 hidden units with ReLU, one output with a sigmoid.
 //
-// The same input gives the same logit, bit for bit, on every CPU: sums have one fixed order and multiplications are never fused
-// with additions, so that the vectorised form and the plain one agree. Hidden units that ReLU has silenced are left out of the
+// The same input gives the same logit, bit for bit, on every CPU: sums have one fixed order, and every product is added
+// by a fused multiply-add, in the vectorised form as in the plain one. Hidden units that ReLU has silenced are left out of the
 // sums, which changes no bit either. Values; any thread.
 #pragma once
 
@@ -29,7 +29,7 @@ struct Perceptron {
 
 // Before the sigmoid: above 0 means "reachable", more likely than not. About 30 ns.
 float logit(const Perceptron& net, const NetworkInputs& inputs);
-// The same without vector instructions, which is what CPUs without AVX2 run.
+// The same without vector instructions, which is what CPUs without AVX2 and FMA run.
 float logit_plain(const Perceptron& net, const NetworkInputs& inputs);
 
 // A perceptron as text, with what is known about it: the contents of a weights file.

@@ -1,5 +1,7 @@
 #include "hyrecro/reach/poses.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -14,38 +16,52 @@ constexpr double kCosine = 1e-9;  // what a cosine may lack to 1
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 double uniform(std::mt19937_64& random, double low, double high) { return low + (high - low) * uniform(random); }
 
+// Everything from here to inputs_of() is without branches and without the C library's arc functions: the former would be
+// mispredicted every other time, the latter may differ in their last bit from machine to machine.
+
 // Reflects (u, v) over the line through the origin at right angles to the unit vector (nu, nv), if it lies behind that line.
 void fold(double& u, double& v, double nu, double nv) {
-  const double behind = u * nu + v * nv;
-  if (behind >= 0.0) return;
+  const double behind = std::min(0.0, u * nu + v * nv);
   u -= 2.0 * behind * nu;
   v -= 2.0 * behind * nv;
 }
 
 // cos and sin of half the angle whose cosine is given. Precondition: the angle lies in [0, pi].
 std::pair<double, double> half(double cosine) {
-  return {std::sqrt(std::fmax(0.0, 0.5 * (1.0 + cosine))), std::sqrt(std::fmax(0.0, 0.5 * (1.0 - cosine)))};
+  return {std::sqrt(std::max(0.0, 0.5 * (1.0 + cosine))), std::sqrt(std::max(0.0, 0.5 * (1.0 - cosine)))};
 }
 
-float angle(double sine, double cosine) { return std::atan2(static_cast<float>(sine), static_cast<float>(cosine)); }
+// The angle in [0, pi / 2] of a cosine in [0, 1], within 2e-8 (Abramowitz and Stegun 1964, 4.4.46).
+double arc(double cosine) {
+  constexpr std::array<double, 8> kTerms{1.5707963050, -0.2145988016, 0.0889789874, -0.0501743046,
+                                         0.0308918810, -0.0170881256, 0.0066700901, -0.0012624911};
+  const double x = cosine, xx = x * x, x4 = xx * xx;
+  const double low = (kTerms[0] + kTerms[1] * x) + (kTerms[2] + kTerms[3] * x) * xx;
+  const double high = (kTerms[4] + kTerms[5] * x) + (kTerms[6] + kTerms[7] * x) * xx;
+  return std::sqrt(std::max(0.0, 1.0 - x)) * (low + high * x4);
+}
+
+double sign(double value) { return std::copysign(1.0, value); }
 
 NetworkInputs face_inputs(const Isometry3d& pose) {
-  double x = pose(0, 3), y = pose(1, 3), cosine = pose(0, 0), sine = pose(1, 0);
-  if (cosine < 0.0) cosine = -cosine, sine = -sine;
-  if (sine < 0.0) sine = -sine, y = -y;
+  double x = pose(0, 3), y = pose(1, 3) * sign(pose(0, 0) * pose(1, 0));
+  const double cosine = std::fabs(pose(0, 0));
   const auto [c, s] = half(cosine);
   fold(x, y, c, s);
   fold(x, y, -s, c);
-  return {static_cast<float>(x), static_cast<float>(y), 0.0F, 0.0F, 0.0F, angle(sine, cosine)};
+  return {static_cast<float>(x), static_cast<float>(y), 0.0F, 0.0F, 0.0F, static_cast<float>(arc(cosine))};
 }
 
 NetworkInputs transition_inputs(const Isometry3d& pose) {
-  double x = pose(0, 3), z = pose(2, 3), sine = pose(0, 2);
-  const double y = std::fabs(pose(1, 3)), cosine = pose(2, 2);
-  if (sine < 0.0) sine = -sine, x = -x;
-  const auto [c, s] = half(cosine);
+  double x = pose(0, 3) * sign(pose(0, 2)), z = pose(2, 3);
+  const auto [c, s] = half(pose(2, 2));
   fold(x, z, s, c);
-  return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), 0.0F, angle(sine, cosine), 0.0F};
+  return {static_cast<float>(x),
+          static_cast<float>(std::fabs(pose(1, 3))),
+          static_cast<float>(z),
+          0.0F,
+          static_cast<float>(2.0 * arc(c)),
+          0.0F};
 }
 
 // lambda's ends for two angles, m.
