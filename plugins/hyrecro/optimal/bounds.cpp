@@ -30,25 +30,9 @@ double greatest_shift(const Model& model, double psi) {
   return best;
 }
 
-// Distance of `point` from the parallelogram { a u + b v : |a|, |b| <= s }, u and v of unit length.
-double distance_to_shifts(const Vector2d& point, const Vector2d& u, const Vector2d& v, double s) {
-  const double cross = u.x() * v.y() - u.y() * v.x();
-  if (std::fabs(cross) > 1e-12) {
-    const double a = (point.x() * v.y() - point.y() * v.x()) / cross, b = (u.x() * point.y() - u.y() * point.x()) / cross;
-    if (std::fabs(a) <= s && std::fabs(b) <= s) return 0.0;
-  }
-  // An edge a = +-s, b in between, and the other way round; by symmetry only those on the point's side.
-  const auto to_edge = [&](const Vector2d& fixed, const Vector2d& free) {
-    const Vector2d from = point - fixed;
-    const double along = std::clamp(from.dot(free), -s, s);
-    return (from - along * free).norm();
-  };
-  return std::min(std::min(to_edge(s * u, v), to_edge(-s * u, v)), std::min(to_edge(s * v, u), to_edge(-s * v, u)));
-}
-
 }  // namespace
 
-StrideBounds::StrideBounds(const Model& model) : model_distance_(model.hip_distance) {
+StrideBounds::StrideBounds(const Model& model) : hip_distance_(model.hip_distance) {
   const double limit = 2.0 * model.mechanism.greatest_phi();
   constexpr int leans = 100;
   for (int i = 0; i <= leans; ++i) {
@@ -59,10 +43,31 @@ StrideBounds::StrideBounds(const Model& model) : model_distance_(model.hip_dista
   transition_reach_ = 2.0 * (model.ankle_height + longest_leg + model.hip_drop) + model.hip_distance;
 }
 
+Vector2d StrideBounds::rest(const Vector2d& difference, const Vector2d& u, const Vector2d& v) const {
+  const double s = shift_, cross = u.x() * v.y() - u.y() * v.x();
+  if (std::fabs(cross) > 1e-12) {
+    const double a = (difference.x() * v.y() - difference.y() * v.x()) / cross;
+    const double b = (u.x() * difference.y() - u.y() * difference.x()) / cross;
+    if (std::fabs(a) <= s && std::fabs(b) <= s) return Vector2d::Zero();
+  }
+  // On an edge of the parallelogram: one shift at its limit, the other in between.
+  Vector2d best = difference;
+  const auto try_edge = [&](const Vector2d& fixed, const Vector2d& free) {
+    const Vector2d from = difference - fixed;
+    const Vector2d left = from - std::clamp(from.dot(free), -s, s) * free;
+    if (left.squaredNorm() < best.squaredNorm()) best = left;
+  };
+  for (const double side : {-s, s}) {
+    try_edge(side * u, v);
+    try_edge(side * v, u);
+  }
+  return best;
+}
+
 int StrideBounds::least(const Vector2d& difference, const Vector2d& heading_u, const Vector2d& heading_v) const {
-  const double rest = distance_to_shifts(difference, heading_u, heading_v, shift_) - model_distance_ - kRounding;
-  if (rest <= 0.0) return 1;
-  return 1 + static_cast<int>(std::ceil(rest / (2.0 * shift_ + model_distance_)));
+  const double beyond = rest(difference, heading_u, heading_v).norm() - hip_distance_ - kRounding;
+  if (beyond <= 0.0) return 1;
+  return 1 + static_cast<int>(std::ceil(beyond / (2.0 * shift_ + hip_distance_)));
 }
 
 int StrideBounds::least(const Foothold& u, const Foothold& v) const {

@@ -18,9 +18,12 @@ class StrideBounds {
  public:
   explicit StrideBounds(const Model& model);
 
-  double shift() const { return shift_; }                          // S, m
-  double reach() const { return 2.0 * shift_ + model_distance_; }  // r_max: the longest stride in a face, m
-  double transition_reach() const { return transition_reach_; }    // no two soles are further apart in any posture, m
+  double shift() const { return shift_; }                        // S, m
+  double reach() const { return 2.0 * shift_ + hip_distance_; }  // r_max: the longest stride in a face, m
+  double transition_reach() const { return transition_reach_; }  // no two soles are further apart in any posture, m
+  // What is left of `difference` when both ends have given the best of their shifts: the strides' hips and the footholds between
+  // must make up for it.
+  Vector2d rest(const Vector2d& difference, const Vector2d& heading_u, const Vector2d& heading_v) const;
   // Strides that lead from `u` to `v` on one face at least; 0 if they are equal.
   int least(const Foothold& u, const Foothold& v) const;
   // The same for the difference v - u of their places and the unit vectors of their headings. Does not ask whether they are equal:
@@ -28,7 +31,7 @@ class StrideBounds {
   int least(const Vector2d& difference, const Vector2d& heading_u, const Vector2d& heading_v) const;
 
  private:
-  double shift_ = 0.0, model_distance_ = 0.0, transition_reach_ = 0.0;
+  double shift_ = 0.0, hip_distance_ = 0.0, transition_reach_ = 0.0;
 };
 
 // Same face, place and heading (modulo 2 pi) within 1e-9.

@@ -1,60 +1,104 @@
 #include "hyrecro/optimal/labels.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace foothold::hyrecro {
+namespace {
+
+constexpr double kTight = 1e-9;  // as near two sums of first components are that count as equal
+
+std::size_t at(int state) { return static_cast<std::size_t>(state); }
+
+}  // namespace
 
 Labels::Labels(RouteGraph& graph, std::size_t max_settled, const std::stop_token& stop)
     : graph_(graph), max_settled_(max_settled), stop_(stop) {
   const std::size_t states = 2 * static_cast<std::size_t>(graph.nodes());
-  cost_.assign(states, kNever);
+  first_.assign(states, kNever.first);
+  second_.assign(states, -1.0);
   final_.assign(states, 0);
-  relax(2 * graph.goal() + 1, {});
+  relax(2 * graph.goal() + 1, 0.0);
 }
 
-void Labels::relax(int state, const Cost& cost) {
-  const std::size_t i = static_cast<std::size_t>(state);
-  if (final_[i] || !(cost < cost_[i])) return;
-  cost_[i] = cost;
-  queue_.push({cost + graph_.from_start(state / 2), cost, state});
+void Labels::relax(int state, double first) {
+  if (final_[at(state)] || !(first < first_[at(state)])) return;
+  first_[at(state)] = first;
+  queue_.push({first + graph_.from_start(state / 2), first, state});
 }
 
 void Labels::settle(int state) {
-  while (!final_[static_cast<std::size_t>(state)] && !queue_.empty()) {
-    if (stop_.stop_requested()) stopped_ = true;
-    if (stopped_ || settled_ > max_settled_) return;
-    const Entry entry = queue_.top();
-    queue_.pop();
-    frontier_ = entry.total;
-    const std::size_t i = static_cast<std::size_t>(entry.state);
-    if (final_[i]) continue;
-    final_[i] = 1;
-    ++settled_;
-    expand(entry);
-  }
+  while (!final_[at(state)] && step()) continue;
+}
+
+// False: nothing is left to do, or no more must be done.
+bool Labels::step() {
+  if (stop_.stop_requested()) stopped_ = true;
+  if (queue_.empty() || stopped_ || settled_ > max_settled_) return false;
+  const Entry entry = queue_.top();
+  queue_.pop();
+  frontier_ = entry.total;
+  if (final_[at(entry.state)]) return true;
+  final_[at(entry.state)] = 1;
+  ++settled_;
+  expand(entry);
+  return true;
+}
+
+void Labels::settle_fully(int state) {
+  settle(state);
+  if (!final_[at(state)]) return;
+  // States as good as the last one may lie on other ways.
+  const double total = first_[at(state)] + graph_.from_start(state / 2);
+  while (!queue_.empty() && queue_.top().total <= total + kTight && step()) continue;
+  second(state);
 }
 
 void Labels::expand(const Entry& entry) {
   const int node = entry.state / 2;
   if (entry.state % 2 == 0) {
     for (const RouteGraph::Transition& transition : graph_.transitions(node))
-      relax(2 * transition.to + 1, entry.cost + transition.cost);
+      relax(2 * transition.to + 1, entry.first + transition.cost.first);
     return;
   }
   // By the triangle inequality whoever comes to walk on from here by a leg does not do worse by going there at once.
-  if (!(entry.cost < cost_[2 * static_cast<std::size_t>(node)])) return;
+  if (!(entry.first < first_[2 * at(node)])) return;
   const std::span<const int> there = graph_.on_face(graph_.face_of(node));
   bounds_.resize(there.size());
-  graph_.leg_bounds(node, bounds_);
-  for (std::size_t i = 0; i < there.size(); ++i) relax(2 * there[i], entry.cost + bounds_[i]);
+  graph_.leg_firsts(node, bounds_);
+  for (std::size_t i = 0; i < there.size(); ++i) relax(2 * there[i], entry.first + bounds_[i]);
 }
 
-Labels::Estimate Labels::estimate(int state) const {
-  const std::size_t i = static_cast<std::size_t>(state);
-  if (final_[i]) return {cost_[i], true};
+// Every tight edge leads to a state that is nearer to the goal, or from arriving to departing at one place: no recursion without
+// end, and none deeper than twice the strides of the route.
+double Labels::second(int state) {
+  if (second_[at(state)] >= 0.0) return second_[at(state)];
+  if (state == 2 * graph_.goal() + 1) return second_[at(state)] = 0.0;
+  double best = kNever.first;
+  const int node = state / 2;
+  const auto tight = [&](double step, int next) {
+    return final_[at(next)] && std::fabs(step + first_[at(next)] - first_[at(state)]) <= kTight;
+  };
+  if (state % 2 == 1) {
+    const auto there = graph_.transitions(node);
+    for (const RouteGraph::Transition& transition : std::vector<RouteGraph::Transition>(there.begin(), there.end()))
+      if (tight(transition.cost.first, 2 * transition.to))
+        best = std::min(best, transition.cost.second + second(2 * transition.to));
+  } else {
+    const std::span<const int> there = graph_.on_face(graph_.face_of(node));
+    std::vector<Cost> bounds(there.size());
+    graph_.leg_bounds(node, bounds);
+    for (std::size_t i = 0; i < there.size(); ++i)
+      if (tight(bounds[i].first, 2 * there[i] + 1)) best = std::min(best, bounds[i].second + second(2 * there[i] + 1));
+  }
+  return second_[at(state)] = best;
+}
+
+Labels::Estimate Labels::estimate(int state) {
+  const double second = second_[at(state)] >= 0.0 ? second_[at(state)] : graph_.second_to_goal(state / 2);
+  if (final_[at(state)]) return {{first_[at(state)], second}, true};
   if (queue_.empty()) return {kNever, true};
-  const Cost from = graph_.from_start(state / 2);
-  return {std::max(Cost{}, Cost{frontier_.first - from.first, frontier_.second - from.second}), false};
+  return {{std::max(0.0, frontier_ - graph_.from_start(state / 2)), second}, false};
 }
 
 }  // namespace foothold::hyrecro

@@ -13,7 +13,8 @@ constexpr std::size_t kTries = 40, kExactTries = 2;
 constexpr std::array<double, 5> kAside{0.0, 0.025, -0.025, 0.06, -0.06};  // m, beside the way
 constexpr std::array<double, 5> kShares{0.0, 1.0, 0.5, 0.75, 0.25};       // between shortest and longest; 0: even
 constexpr std::array<double, 3> kRound{0.25, 0.35, 0.45};                 // m, where ends are too near each other
-constexpr double kNear = 0.15;                                            // m: ends nearer than this are
+constexpr double kBesideRoom = 0.05;  // m: so far beside the room for a plate in line with the edges an end may stand
+constexpr double kNear = 0.15;        // m: ends nearer than this are
 
 double quarter(double heading) { return std::round(heading / (0.5 * std::numbers::pi)) * 0.5 * std::numbers::pi; }
 
@@ -70,23 +71,82 @@ bool Legs::walk(int left) {
   return false;
 }
 
-void Legs::candidates(const Foothold& from, int left, std::vector<Foothold>& out) const {
-  out.clear();
-  const Vector2d way = goal_.at - from.at;
-  const double length = way.norm(), heading = length > 1e-6 ? std::atan2(way.y(), way.x()) : from.heading;
-  const Vector2d along = direction(heading), aside(-along.y(), along.x());
+const Legs::Rooms& Legs::rooms(int face) {
+  const auto [entry, fresh] = rooms_.try_emplace(face);
+  if (!fresh) return entry->second;
+  const truss::Face& there = strides_.scene().truss.faces[static_cast<std::size_t>(face)];
+  for (const Region& region : shrunk(there, 0.5 * std::min(strides_.model().plate.x(), strides_.model().plate.y()))) {
+    geometry::PolygonPaths paths(region.outline, region.holes);
+    if (paths.reflex_vertices() > 0) entry->second.push_back(std::move(paths));
+  }
+  return entry->second;
+}
+
+// Empty if the way is straight, or none leads there.
+std::vector<Vector2d> Legs::bent_way(const Foothold& from, const Foothold& to) {
+  for (const geometry::PolygonPaths& room : rooms(from.face)) {
+    const Vector2d a = room.nearest(from.at), b = room.nearest(to.at);
+    if ((a - from.at).norm() > kBesideRoom || (b - to.at).norm() > kBesideRoom) continue;
+    std::vector<Vector2d> way = room.path(a, b);
+    if (way.size() <= 2) return {};
+    way.front() = from.at;
+    way.back() = to.at;
+    return way;
+  }
+  return {};
+}
+
+int Legs::likely(const Foothold& u, const Foothold& v) {
+  const std::vector<Vector2d> way = bent_way(u, v);
+  double length = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) length += (way[i] - way[i - 1]).norm();
+  return std::max(least(u, v), static_cast<int>(std::ceil(length / bounds_.reach())));
+}
+
+// At distances along `way`, which begins at `from` and ends at the goal.
+void Legs::along(const std::vector<Vector2d>& way, const Foothold& from, int left, std::vector<Foothold>& out) const {
+  double length = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) length += (way[i] - way[i - 1]).norm();
+  const Vector2d ahead = (way[1] - way[0]).normalized(), behind = (way.back() - way[way.size() - 2]).normalized();
   const double shift = bounds_.shift(), hips = bounds_.reach() - 2.0 * shift;
-  const double first = shift * std::fabs(direction(from.heading).dot(along)) + shift + hips;
-  const double rest = shift * std::fabs(direction(goal_.heading).dot(along)) + shift + hips + (left - 2) * bounds_.reach();
-  const double shortest = std::max(0.0, length - rest), longest = std::min(first, length);
-  const std::array<double, 2> headings{heading, quarter(heading)};
+  const double first = shift * std::fabs(direction(from.heading).dot(ahead)) + shift + hips;
+  const double rest = shift * std::fabs(direction(goal_.heading).dot(behind)) + shift + hips + (left - 2) * bounds_.reach();
+  const double shortest = std::clamp(length - rest, 0.0, first), longest = std::min(first, length);
   for (const double beside : kAside)
     for (const double share : kShares) {
-      const double distance =
+      const double wanted =
           share == 0.0 ? std::min(length * first / (first + rest), longest) : shortest + share * (longest - shortest);
-      for (const double turned : headings) out.push_back({from.face, from.at + distance * along + beside * aside, turned});
-      if (headings[0] == headings[1]) out.pop_back();
+      double distance = wanted;
+      std::size_t piece = 1;
+      while (piece + 1 < way.size() && distance > (way[piece] - way[piece - 1]).norm()) {
+        distance -= (way[piece] - way[piece - 1]).norm();
+        ++piece;
+      }
+      const Vector2d to = (way[piece] - way[piece - 1]).normalized(), aside(-to.y(), to.x());
+      const double heading = std::atan2(to.y(), to.x());
+      const Vector2d at = way[piece - 1] + distance * to + beside * aside;
+      out.push_back({from.face, at, heading});
+      if (quarter(heading) != heading) out.push_back({from.face, at, quarter(heading)});
     }
+}
+
+// The ends' shifts as far as they go, the rest in a straight line: how a leg must go that hardly is possible.
+void Legs::tight(const Foothold& from, int left, std::vector<Foothold>& out) const {
+  const Vector2d difference = goal_.at - from.at, u = direction(from.heading);
+  const Vector2d rest = bounds_.rest(difference, u, direction(goal_.heading));
+  const double length = rest.norm(), shift = bounds_.shift(), hips = bounds_.reach() - 2.0 * shift;
+  if (length < 1e-6) return;
+  const double a = std::clamp((difference - rest).dot(u), -shift, shift);
+  const double first = length * (hips + shift) / (left * bounds_.reach() - 2.0 * shift);
+  out.push_back({from.face, from.at + a * u + first / length * rest, std::atan2(rest.y(), rest.x())});
+}
+
+void Legs::candidates(const Foothold& from, int left, std::vector<Foothold>& out) {
+  out.clear();
+  const double length = (goal_.at - from.at).norm();
+  if (length > 1e-6) tight(from, left, out);
+  if (length > 1e-6) along({from.at, goal_.at}, from, left, out);
+  if (const std::vector<Vector2d> bent = bent_way(from, goal_); !bent.empty()) along(bent, from, left, out);
   if (length > kNear && left < 3) return;
   for (const double distance : kRound)
     for (int side = 0; side < 4; ++side) {

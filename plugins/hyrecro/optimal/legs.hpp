@@ -1,14 +1,17 @@
 // The footholds of a leg: from one foothold to another on the same face in a given number of strides.
 //
-// Candidates lie along the straight way at shares of what each stride can cover, headed along it; where that fails they move
-// sideways, turn, or go round. Every choice keeps the strides that are left enough by StrideBounds, so that with as many strides as
-// the bound demands hardly anything is tried in vain. Depth first, with a limit of tries.
+// Candidates lie along the way at shares of what each stride can cover, headed along it; where that fails they move sideways, turn,
+// or go round. The way is straight; on faces with reflex corners the shortest way inside is tried as well. Every choice keeps the
+// strides that are left enough by StrideBounds, so that with as many strides as the bound demands hardly anything is tried in vain.
+// Depth first, with a limit of tries.
 #pragma once
 
 #include <functional>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
+#include "geometry/polygon_path.hpp"
 #include "hyrecro/optimal/strides.hpp"
 
 namespace foothold::hyrecro {
@@ -23,18 +26,24 @@ class Legs {
   // Least strides of a leg that no posture contradicts: StrideBounds, and 2 where both plates would overlap.
   int least(const Foothold& u, const Foothold& v) const;
 
+  // What a leg along the face takes about: least(), or more where the straight way leaves the face.
+  int likely(const Foothold& u, const Foothold& v);
+
   // Exactly `count` strides from `u` to `v`, the last one to `v`; empty if none was found. Precondition: count >= least(u, v) > 0.
   std::optional<std::vector<Stride>> find(const Foothold& u, const Foothold& v, int count, const Banned& banned);
 
   std::size_t tried() const { return tried_; }  // strides judged, since construction
 
  private:
-  struct Candidate {
-    Foothold at;
-  };
+  // Where a foot may stand on a face, by the plate's half width; empty for faces without reflex corners, where ways are straight.
+  using Rooms = std::vector<geometry::PolygonPaths>;
   bool walk(int left);
   std::optional<Coordinates> judge(const Foothold& from, const Foothold& to, bool last);
-  void candidates(const Foothold& from, int left, std::vector<Foothold>& out) const;
+  void candidates(const Foothold& from, int left, std::vector<Foothold>& out);
+  void along(const std::vector<Vector2d>& way, const Foothold& from, int left, std::vector<Foothold>& out) const;
+  void tight(const Foothold& from, int left, std::vector<Foothold>& out) const;
+  const Rooms& rooms(int face);
+  std::vector<Vector2d> bent_way(const Foothold& from, const Foothold& to);
 
   Strides& strides_;
   const StrideBounds& bounds_;
@@ -42,6 +51,7 @@ class Legs {
   const Banned* banned_ = nullptr;
   std::vector<Stride> chain_;
   std::vector<std::vector<Foothold>> open_;  // candidates by depth
+  std::unordered_map<int, Rooms> rooms_;     // by face
   std::size_t tried_ = 0, most_tried_ = 0, most_exact_ = 0;
 };
 

@@ -1,9 +1,11 @@
 #include "hyrecro/optimal/optimal.hpp"
 
-#include "hyrecro/optimal/truss_graph.hpp"
+#include "hyrecro/optimal/reasons.hpp"
 
 namespace foothold::hyrecro {
 namespace {
+
+constexpr double kSameCost = 1e-9;
 
 KeptTruss& kept_of(const Model& model, const PreparedTruss& scene, double lift) {
   auto* kept = dynamic_cast<KeptTruss*>(scene.kept.get());
@@ -13,6 +15,7 @@ KeptTruss& kept_of(const Model& model, const PreparedTruss& scene, double lift) 
     kept = fresh.get();
     scene.kept = std::move(fresh);
   }
+  kept->tidy();
   return *kept;
 }
 
@@ -26,13 +29,32 @@ std::string in_words(const OptimalOptions& options) {
   return out;
 }
 
+// The search's own lengths hold preferences, which are taken out of what is reported.
+void hold_costs(const PreparedTruss& scene, const OptimalOptions& options, const SearchResult& result, Found& out) {
+  out.optimal = result.cost.first - result.bound.first <= kSameCost;
+  out.cost = result.cost.first;
+  out.lower_bound = result.bound.first;
+  if (options.objective == Objective::kDistance) {
+    out.cost = 0.0;
+    Vector3d before = pose_of(scene.truss, out.route.start).translation();
+    for (const Stride& stride : out.route.strides) {
+      const Vector3d at = pose_of(scene.truss, stride.to).translation();
+      out.cost += (at - before).norm();
+      before = at;
+    }
+    out.lower_bound -= 2.0 * kPreference * static_cast<double>(out.route.strides.size());
+  }
+  out.lower_bound = out.optimal ? out.cost : std::min(out.lower_bound, out.cost);
+}
+
 }  // namespace
 
 Found plan_optimal(const Model& model, const PreparedTruss& scene, const Foothold& start, const Foothold& goal,
                    const OptimalOptions& options, const std::stop_token& stop, const OnStride& on_stride) {
   Found out;
   out.objective = in_words(options);
-  TrussGraph graph(model, scene, kept_of(model, scene, options.lift), start, goal, options);
+  KeptTruss& kept = kept_of(model, scene, options.lift);
+  TrussGraph graph(model, scene, kept, start, goal, options);
   const SearchResult result = search_route(graph, options.max_nodes, stop);
   out.figures.push_back({"states", static_cast<double>(result.settled), 0.0, "1"});
   out.lower_bound = result.bound == kNever ? 0.0 : result.bound.first;
@@ -45,7 +67,7 @@ Found plan_optimal(const Model& model, const PreparedTruss& scene, const Foothol
                      "the search gave up after " + std::to_string(result.settled) + " states", "raise max_nodes"};
       return out;
     case SearchResult::Outcome::kNone:
-      out.failure = {PlanError::kUnreachableGoal, "goal", "no route leads to the goal", "move the goal, or sample more densely"};
+      out.failure = why_unreachable(graph, scene, kept, stop);
       return out;
     case SearchResult::Outcome::kFound:
       break;
@@ -54,9 +76,7 @@ Found plan_optimal(const Model& model, const PreparedTruss& scene, const Foothol
   out.route.start = start;
   for (const Hop& hop : result.hops)
     for (Stride& stride : graph.strides_of(hop)) out.route.strides.push_back(std::move(stride));
-  out.cost = result.cost.first;
-  out.lower_bound = std::min(out.lower_bound, out.cost);
-  out.optimal = out.cost - out.lower_bound <= 1e-9;
+  hold_costs(scene, options, result, out);
   if (on_stride)
     for (const Stride& stride : out.route.strides)
       if (!on_stride(stride)) {

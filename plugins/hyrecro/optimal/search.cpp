@@ -128,7 +128,7 @@ class Forward {
 
 SearchResult search_route(RouteGraph& graph, std::size_t max_settled, const std::stop_token& stop) {
   Labels labels(graph, max_settled, stop);
-  labels.settle(2 * graph.start());
+  labels.settle_fully(2 * graph.start());
   const Cost bound = labels.estimate(2 * graph.start()).cost;
   SearchResult out = Forward(graph, labels, max_settled, stop).run();
   out.bound = bound;

@@ -2,7 +2,7 @@
 //
 // A route alternates: arrive at a foothold (start, or by a transition), walk a leg on that face (perhaps of length zero), depart
 // from its end by a transition, and so on until a leg ends at the goal. States are therefore "arrived at u" and "departing from v".
-// Costs compare lexicographically. Two searches: backwards from the goal with lower bounds alone (A*, resumable), which gives the
+// Costs compare lexicographically. Two searches: backwards from the goal with lower bounds alone (labels.hpp), which gives the
 // forward one an exact heuristic for those bounds; forwards lazily (Dellin and Srinivasa 2016, lazy weighted A*): a leg or
 // transition is evaluated only when its end is about to be settled.
 #pragma once
@@ -41,13 +41,16 @@ class RouteGraph {
   // Lower bounds of legs between `node` and each of on_face(face_of(node)), in that order; symmetric, and they fulfil the triangle
   // inequality. 0 for the node itself.
   virtual void leg_bounds(int node, std::span<Cost> out) = 0;
+  virtual void leg_firsts(int node, std::span<double> out) = 0;  // their first components alone
   // What is known to be possible, or to be impossible (kNever); never less than the bound.
   virtual Cost leg(int from, int to) = 0;
-  // Transitions that may be possible; symmetric.
+  // Transitions that may be possible; symmetric. Valid until the next call.
   virtual std::span<const Transition> transitions(int node) = 0;
   virtual bool transition(int from, int to) = 0;
-  // Lower bound of everything from the start to `node`; consistent.
-  virtual Cost from_start(int node) const = 0;
+  // Lower bounds of everything from the start to `node`, of the first component (consistent), and of everything from `node` to the
+  // goal, of the second.
+  virtual double from_start(int node) = 0;
+  virtual double second_to_goal(int node) = 0;
 };
 
 struct Hop {

@@ -6,17 +6,54 @@
 namespace foothold::hyrecro {
 namespace {
 
-constexpr double kSameLength = 1e-9;  // m
+constexpr double kSameLength = 1e-9;           // m
+constexpr std::size_t kMostKept = 64'000'000;  // of the smallest things, one octet each; fewer of larger ones
+
+// m: tells routes apart that are equally long, so that the answer does not depend on what is known from earlier requests.
+double preference(int node) {
+  std::uint64_t mixed = (static_cast<std::uint64_t>(node) + 1) * 0x9e3779b97f4a7c15u;
+  mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9u;
+  return kPreference * static_cast<double>((mixed ^ (mixed >> 31)) >> 11) * 0x1p-53;
+}
 
 std::uint64_t pair_of(int a, int b) { return (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b); }
 
 }  // namespace
 
-KeptTruss::KeptTruss(const Model& model, const PreparedTruss& scene) : strides(model, scene), legs(strides) {
-  for (std::size_t k = 0; k < 2; ++k) {
-    transitions[k].resize(scene.transitions.all().size());
-    listed[k].assign(scene.transitions.all().size(), 0);
+KeptTruss::KeptTruss(const Model& model, const PreparedTruss& given)
+    : scene(given),
+      strides(model, given),
+      legs(strides),
+      filter(model),
+      lists(given.transitions, filter, strides.bounds().transition_reach()) {
+  for (const TransitionFoothold& one : given.transitions.all()) {
+    places.push_back(one.pose.translation());
+    directions.push_back(direction(one.foothold.heading));
   }
+  rows_.resize(places.size());
+}
+
+const std::vector<std::uint8_t>& KeptTruss::row(int foothold) {
+  std::vector<std::uint8_t>& out = rows_[static_cast<std::size_t>(foothold)];
+  if (!out.empty()) return out;
+  const auto& all = scene.transitions.all();
+  const Foothold& from = all[static_cast<std::size_t>(foothold)].foothold;
+  for (const int other : scene.transitions.of_face(from.face))
+    out.push_back(static_cast<std::uint8_t>(std::min(255, legs.least(from, all[static_cast<std::size_t>(other)].foothold))));
+  in_rows_ += out.size();
+  return out;
+}
+
+void KeptTruss::tidy() {
+  if (in_rows_ > kMostKept) {
+    rows_.assign(places.size(), {});
+    in_rows_ = 0;
+  }
+  if (judged.size() + walked.size() > kMostKept / 64) {
+    judged.clear();
+    walked.clear();
+  }
+  if (lists.entries() > kMostKept / 8) lists = TransitionLists(scene.transitions, filter, strides.bounds().transition_reach());
 }
 
 TrussGraph::TrussGraph(const Model& model, const PreparedTruss& scene, KeptTruss& kept, const Foothold& start, const Foothold& goal,
@@ -27,7 +64,8 @@ TrussGraph::TrussGraph(const Model& model, const PreparedTruss& scene, KeptTruss
       start_(start),
       goal_(goal),
       options_(options),
-      samples_(static_cast<int>(scene.transitions.all().size())) {
+      samples_(static_cast<int>(scene.transitions.all().size())),
+      own_places_{pose_of(scene.truss, start).translation(), pose_of(scene.truss, goal).translation()} {
   if (!options.banned.empty())
     banned_ = [this](const Foothold& a, const Foothold& b) {
       return std::any_of(options_.banned.begin(), options_.banned.end(), [&](const Ban& ban) {
@@ -54,8 +92,7 @@ Isometry3d TrussGraph::pose(int node) const {
 }
 
 Vector3d TrussGraph::place(int node) const {
-  if (node < samples_) return scene_.transitions.all()[static_cast<std::size_t>(node)].pose.translation();
-  return pose(node).translation();
+  return node < samples_ ? kept_.places[static_cast<std::size_t>(node)] : own_places_[static_cast<std::size_t>(node - samples_)];
 }
 
 Cost TrussGraph::cost(int strides, double length) const {
@@ -69,18 +106,38 @@ std::span<const int> TrussGraph::on_face(int face) const {
   return scene_.transitions.of_face(face);
 }
 
-void TrussGraph::leg_bounds(int node, std::span<Cost> out) {
-  const std::span<const int> there = on_face(face_of(node));
-  const Foothold& from = at(node);
-  for (std::size_t i = 0; i < there.size(); ++i) {
-    const Foothold& to = at(there[i]);
-    out[i] = there[i] == node ? Cost{} : cost(kept_.legs.least(from, to), (to.at - from.at).norm());
-  }
+// on_face() begins with the scene's footholds, in the order of a row.
+int TrussGraph::least(int node, const std::vector<std::uint8_t>* row, std::size_t index, int other) {
+  return row != nullptr && other < samples_ ? (*row)[index] : kept_.legs.least(at(node), at(other));
 }
 
-Cost TrussGraph::from_start(int node) const {
-  const double distance = (place(node) - place(start())).norm();
-  return cost(static_cast<int>(std::ceil(distance / kept_.strides.bounds().transition_reach() - 1e-9)), distance);
+void TrussGraph::leg_bounds(int node, std::span<Cost> out) {
+  const std::span<const int> there = on_face(face_of(node));
+  const std::vector<std::uint8_t>* row = node < samples_ ? &kept_.row(node) : nullptr;
+  const Vector3d from = place(node);
+  for (std::size_t i = 0; i < there.size(); ++i)
+    out[i] = there[i] == node ? Cost{} : cost(least(node, row, i, there[i]), (place(there[i]) - from).norm());
+}
+
+void TrussGraph::leg_firsts(int node, std::span<double> out) {
+  const std::span<const int> there = on_face(face_of(node));
+  const std::vector<std::uint8_t>* row = node < samples_ ? &kept_.row(node) : nullptr;
+  const bool steps = options_.objective == Objective::kSteps;
+  const Vector3d from = place(node);
+  for (std::size_t i = 0; i < there.size(); ++i)
+    out[i] = there[i] == node ? 0.0 : steps ? least(node, row, i, there[i]) : (place(there[i]) - from).norm();
+}
+
+double TrussGraph::from_start(int node) {
+  const double distance = (place(node) - own_places_[0]).norm();
+  if (options_.objective == Objective::kDistance) return distance;
+  return std::ceil(distance / kept_.strides.bounds().transition_reach() - 1e-9);
+}
+
+double TrussGraph::second_to_goal(int node) {
+  const double distance = (place(node) - own_places_[1]).norm();
+  if (options_.objective == Objective::kSteps) return distance;
+  return std::ceil(distance / kept_.strides.bounds().transition_reach() - 1e-9);
 }
 
 const KeptTruss::Leg& TrussGraph::walk(int from, int to) {
@@ -95,7 +152,8 @@ const KeptTruss::Leg& TrussGraph::walk(int from, int to) {
     return leg;
   }
   constexpr int kMore = 3;
-  for (int count = leg.least; count <= leg.least + kMore && !leg.found; ++count)
+  const int most = kept_.legs.likely(at(from), at(to)) + kMore;
+  for (int count = leg.least; count <= most && !leg.found; ++count)
     if (auto found = kept_.legs.find(at(from), at(to), count, banned_)) {
       leg.found = true;
       leg.strides = std::move(*found);
@@ -116,42 +174,50 @@ Cost TrussGraph::leg(int from, int to) {
   return cost(static_cast<int>(leg.strides.size()), length < straight + kSameLength ? straight : length);
 }
 
-const std::vector<RouteGraph::Transition>& TrussGraph::kept_list(int sample) {
-  const std::size_t kind = options_.objective == Objective::kSteps ? 0 : 1, i = static_cast<std::size_t>(sample);
-  std::vector<Transition>& out = kept_.transitions[kind][i];
-  if (kept_.listed[kind][i]) return out;
-  kept_.listed[kind][i] = 1;
-  for (const int to : scene_.transitions.near(place(sample), kept_.strides.bounds().transition_reach(), face_of(sample)))
-    if (kept_.strides.alone(pose(sample).inverse(Eigen::Isometry) * pose(to)))
-      out.push_back({to, cost(1, (place(to) - place(sample)).norm())});
-  return out;
-}
-
-// `end`: start or goal. The list of what may be reached from it, and it in the lists of all these.
+// `end`: start or goal. What may be reached from it, and it from there.
 void TrussGraph::list_own(int end) {
-  std::vector<Transition>& out = own_lists_[end];
+  const Isometry3d back = pose(end).inverse(Eigen::Isometry);
   const auto connect = [&](int to) {
-    if (face_of(to) == face_of(end) || !kept_.strides.alone(pose(end).inverse(Eigen::Isometry) * pose(to))) return;
-    const Cost length = cost(1, (place(to) - place(end)).norm());
-    out.push_back({to, length});
-    if (to >= samples_) return;
-    const auto [list, fresh] = own_lists_.try_emplace(to);
-    if (fresh) list->second = kept_list(to);
-    list->second.push_back({end, length});
+    if (face_of(to) == face_of(end) || !kept_.filter.may_reach(back * pose(to))) return;
+    const Cost length = cost(1, (place(to) - place(end)).norm() + preference(to) + preference(end));
+    own_lists_[end].push_back({to, length});
+    own_lists_[to].push_back({end, length});
   };
   for (const int to : scene_.transitions.near(place(end), kept_.strides.bounds().transition_reach(), face_of(end))) connect(to);
-  connect(end == start() ? goal() : start());
+  if (end == goal()) connect(start());
 }
 
 std::span<const RouteGraph::Transition> TrussGraph::transitions(int node) {
-  const auto own = own_lists_.find(node);
-  return own != own_lists_.end() ? own->second : kept_list(node);
+  list_.clear();
+  if (node < samples_)
+    for (const TransitionLists::Entry& entry : kept_.lists.of(node))
+      list_.push_back({entry.to, cost(1, entry.distance + preference(node) + preference(entry.to))});
+  if (const auto own = own_lists_.find(node); own != own_lists_.end())
+    list_.insert(list_.end(), own->second.begin(), own->second.end());
+  return list_;
 }
 
+// What is found impossible leaves the lists.
 const std::optional<Coordinates>& TrussGraph::judge(int from, int to) {
-  auto& known = std::max(from, to) >= samples_ ? own_judged_ : kept_.judged;
-  const auto [entry, fresh] = known.try_emplace(pair_of(from, to));
-  if (fresh) entry->second = kept_.strides.exact(at(from), at(to));
+  const bool own = std::max(from, to) >= samples_;
+  const auto [entry, fresh] = (own ? own_judged_ : kept_.judged).try_emplace(pair_of(from, to));
+  if (!fresh) return entry->second;
+  const Isometry3d holding = pose(from);
+  const Isometry3d seen = own ? holding.inverse(Eigen::Isometry) * pose(to) : kept_.lists.seen(from, to);
+  entry->second = kept_.strides.alone(seen);
+  if (entry->second && kept_.strides.clear(*entry->second, holding)) return entry->second;
+  const bool alone = entry->second.has_value();
+  if (alone) entry->second = kept_.strides.exact(at(from), at(to));
+  if (entry->second) return entry->second;
+  if (!own) {
+    if (alone)
+      kept_.lists.exclude(from, to);
+    else
+      kept_.lists.exclude_alike(from, to);
+  } else {
+    for (const auto& [one, other] : {std::pair(from, to), std::pair(to, from)})
+      std::erase_if(own_lists_[one], [other = other](const Transition& transition) { return transition.to == other; });
+  }
   return entry->second;
 }
 

@@ -8,10 +8,15 @@
 #include <vector>
 
 #include "hyrecro/optimal/legs.hpp"
+#include "hyrecro/optimal/lists.hpp"
 #include "hyrecro/optimal/optimal.hpp"
+#include "hyrecro/optimal/reach_filter.hpp"
 #include "hyrecro/optimal/search.hpp"
 
 namespace foothold::hyrecro {
+
+// m: at most so much is added to the length of a transition for each of its ends, to tell equally long routes apart.
+inline constexpr double kPreference = 1e-7;
 
 // What later requests find again. Transition footholds by their index in Transitions::all().
 struct KeptTruss final : PreparedTruss::Kept {
@@ -22,14 +27,24 @@ struct KeptTruss final : PreparedTruss::Kept {
     bool found = false;
     std::vector<Stride> strides;
   };
+  // Least strides of legs from a foothold to each of its face.
+  const std::vector<std::uint8_t>& row(int foothold);
+  // Bounds what is kept; to be called between requests.
+  void tidy();
 
+  const PreparedTruss& scene;
   Strides strides;
   Legs legs;
-  // By objective and foothold: what may be reached from it, judged without the scene.
-  std::array<std::vector<std::vector<RouteGraph::Transition>>, 2> transitions;
-  std::array<std::vector<char>, 2> listed;
+  ReachFilter filter;
+  TransitionLists lists;
+  std::vector<Vector3d> places;                                          // m, world, by foothold
+  std::vector<Vector2d> directions;                                      // of their headings
   std::unordered_map<std::uint64_t, std::optional<Coordinates>> judged;  // transitions by both ends, with the scene
   std::unordered_map<std::uint64_t, Leg> walked;                         // legs by both ends
+
+ private:
+  std::vector<std::vector<std::uint8_t>> rows_;
+  std::size_t in_rows_ = 0;
 };
 
 // Borrows everything. One request's view. Node numbers: transition footholds, then start, then goal.
@@ -47,7 +62,9 @@ class TrussGraph final : public RouteGraph {
   Cost leg(int from, int to) override;
   std::span<const Transition> transitions(int node) override;
   bool transition(int from, int to) override;
-  Cost from_start(int node) const override;
+  void leg_firsts(int node, std::span<double> out) override;
+  double from_start(int node) override;
+  double second_to_goal(int node) override;
 
   const Foothold& at(int node) const;
   // Of a hop that leg() or transition() has found possible.
@@ -59,8 +76,8 @@ class TrussGraph final : public RouteGraph {
   Isometry3d pose(int node) const;
   const KeptTruss::Leg& walk(int from, int to);
   const std::optional<Coordinates>& judge(int from, int to);
-  const std::vector<Transition>& kept_list(int sample);
   void list_own(int end);
+  int least(int node, const std::vector<std::uint8_t>* row, std::size_t index, int other);
 
   const Model& model_;
   const PreparedTruss& scene_;
@@ -70,7 +87,9 @@ class TrussGraph final : public RouteGraph {
   Banned banned_;
   int samples_;
   std::vector<int> start_face_, goal_face_;                       // nodes there, with start and goal
-  std::unordered_map<int, std::vector<Transition>> own_lists_;    // of start, goal, and the footholds that reach them
+  std::array<Vector3d, 2> own_places_;                            // of start and goal
+  std::unordered_map<int, std::vector<Transition>> own_lists_;    // of start and goal; of footholds: those two alone
+  std::vector<Transition> list_;                                  // the last one asked for
   std::unordered_map<std::uint64_t, KeptTruss::Leg> own_walked_;  // with start, goal or bans
   std::unordered_map<std::uint64_t, std::optional<Coordinates>> own_judged_;
 };

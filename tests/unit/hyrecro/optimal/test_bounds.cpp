@@ -1,0 +1,108 @@
+// Bounds of strides against random chains of postures, and against what is reached.
+#include "hyrecro/optimal/bounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hyrecro/optimal/level_postures.hpp"
+#include "poses.hpp"
+
+namespace foothold::hyrecro {
+namespace {
+
+double heading_of(const Isometry3d& pose) { return std::atan2(pose.linear()(1, 0), pose.linear()(0, 0)); }
+
+Foothold after(const Foothold& from, const Isometry3d& stride) {
+  const Eigen::Vector2d there = stride.translation().head<2>();
+  return {from.face, from.at + Eigen::Rotation2Dd(from.heading) * there, from.heading + heading_of(stride)};
+}
+
+// Both soles in one plane with both legs leaning: heading difference 0 or pi, psi drawn, the second leg solved for the height.
+std::optional<Isometry3d> leaning(std::mt19937_64& random) {
+  const Model& model = robot();
+  const double most = model.mechanism.greatest_phi(), psi = uniform(random, -most, most), side = random() % 2 == 0 ? 1.0 : -1.0;
+  Coordinates c;
+  const auto leg = [&](Leg& out, double lean) {
+    out.phi1 = uniform(random, std::max(-most, lean - most), std::min(most, lean + most));
+    out.phi2 = lean - out.phi1;
+    const auto y1 = model.mechanism.offsets(out.phi1), y2 = model.mechanism.offsets(out.phi2);
+    if (y1.empty() || y2.empty()) return false;
+    out.y1 = random() % 3 == 0 ? y1.high : uniform(random, y1.low, y1.high);
+    out.y2 = random() % 3 == 0 ? y2.high : uniform(random, y2.low, y2.high);
+    return true;
+  };
+  if (!leg(c.leg[0], psi) || !leg(c.leg[1], side * psi)) return std::nullopt;
+  // Height of sole 1 over sole 0's plane must be 0: the hip's swing takes up the rest, t cos(hip0) sin(psi).
+  const auto height = [&](const Leg& l) { return leg_length(model, l) * std::cos(l.phi1) + model.hip_drop * std::cos(psi); };
+  const double cosine = (height(c.leg[1]) - height(c.leg[0])) / (model.hip_distance * std::sin(psi));
+  if (!(std::fabs(cosine) <= 1.0)) return std::nullopt;
+  c.hip[0] = (random() % 2 == 0 ? 1.0 : -1.0) * std::acos(cosine);
+  c.hip[1] = c.hip[0] - (side > 0.0 ? 0.0 : std::numbers::pi);
+  const Isometry3d pose = forward(model, c);
+  if (std::fabs(pose.translation().z()) > 1e-9) return std::nullopt;
+  return pose;
+}
+
+TEST(StrideBounds, NoChainOfPosturesTakesFewerStrides) {
+  const StrideBounds bounds(robot());
+  std::mt19937_64 random(11);
+  int leant = 0;
+  for (int chain = 0; chain < 200'000; ++chain) {
+    const Foothold start{0, {uniform(random, -1, 1), uniform(random, -1, 1)}, uniform(random, -4, 4)};
+    Foothold at = start;
+    const int count = 1 + static_cast<int>(random() % 4);
+    for (int i = 0; i < count; ++i) {
+      if (const auto lean = random() % 2 == 0 ? leaning(random) : std::nullopt) {
+        ++leant;
+        at = after(at, *lean);
+      } else {
+        at = after(at, random_reached_pose(random, Kind::kPlanar));
+      }
+    }
+    ASSERT_LE(bounds.least(start, at), count) << "chain " << chain;
+  }
+  EXPECT_GT(leant, 1000);
+}
+
+TEST(StrideBounds, TheLongestChainsMeetTheBound) {
+  const StrideBounds bounds(robot());
+  const double reach = bounds.reach();
+  EXPECT_GT(reach, 0.5);
+  const auto along = [](double x) { return Foothold{0, {x, 0.0}, 0.0}; };
+  for (int count = 1; count < 6; ++count) {
+    EXPECT_EQ(bounds.least(along(0.0), along(count * reach - 1e-6)), count);
+    EXPECT_EQ(bounds.least(along(0.0), along(count * reach + 1e-6)), count + 1);
+  }
+  // Across the way a heading gives no shift.
+  const Foothold across{0, {0.0, 0.0}, 0.5 * std::numbers::pi};
+  EXPECT_EQ(bounds.least(across, along(reach - bounds.shift() + 2e-3)), 2);
+}
+
+TEST(StrideBounds, KeepTheTriangleInequality) {
+  const StrideBounds bounds(robot());
+  std::mt19937_64 random(12);
+  const auto some = [&] { return Foothold{0, {uniform(random, -2, 2), uniform(random, -2, 2)}, uniform(random, -4, 4)}; };
+  for (int i = 0; i < 100'000; ++i) {
+    const Foothold a = some(), b = some(), c = some();
+    ASSERT_EQ(bounds.least(a, b), bounds.least(b, a));
+    ASSERT_LE(bounds.least(a, c), bounds.least(a, b) + bounds.least(b, c));
+  }
+}
+
+TEST(LevelPostures, PutTheFreeSoleWhereItShallBe) {
+  const LevelPostures postures(robot(), StrideBounds(robot()).shift());
+  std::mt19937_64 random(13);
+  int reached = 0;
+  constexpr int kPoses = 20'000;
+  for (int i = 0; i < kPoses; ++i) {
+    const Isometry3d pose = random_reached_pose(random, Kind::kPlanar);
+    reached += postures.any(pose.translation().head<2>(), heading_of(pose), [&](const Coordinates& c) {
+      EXPECT_LT(difference(forward(robot(), c), pose), 1e-9);
+      EXPECT_TRUE(within_limits(robot(), c));
+      return true;
+    });
+  }
+  EXPECT_GT(reached, 0.95 * kPoses);
+}
+
+}  // namespace
+}  // namespace foothold::hyrecro

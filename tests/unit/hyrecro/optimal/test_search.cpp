@@ -1,0 +1,152 @@
+// The search over legs and transitions against Bellman and Ford on small random graphs, with bounds that are too low.
+#include "hyrecro/optimal/search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+namespace foothold::hyrecro {
+namespace {
+
+class RandomGraph final : public RouteGraph {
+ public:
+  explicit RandomGraph(std::uint64_t seed) : random_(seed) {
+    const int faces = 2 + some(5);
+    faces_.resize(static_cast<std::size_t>(faces));
+    for (int node = 0; node < nodes(); ++node) {
+      const int face = some(faces);
+      face_.push_back(face);
+      place_.push_back(some(12));
+      faces_[static_cast<std::size_t>(face)].push_back(node);
+    }
+    lists_.resize(static_cast<std::size_t>(nodes()));
+    for (int a = 0; a < nodes(); ++a)
+      for (int b = a + 1; b < nodes(); ++b) {
+        if (face_[index(a)] == face_[index(b)]) {
+          const double more = some(3) == 0 ? some(4) : 0;
+          legs_[{a, b}] = legs_[{b, a}] = some(8) == 0 ? kNever : bound(a, b) + Cost{more, 0.0};
+        } else if (some(14) == 0) {
+          const Cost cost{1.0, static_cast<double>(1 + some(3))};
+          lists_[index(a)].push_back({b, cost});
+          lists_[index(b)].push_back({a, cost});
+          possible_[{a, b}] = possible_[{b, a}] = some(3) > 0;
+        }
+      }
+  }
+
+  int nodes() const override { return 24; }
+  int start() const override { return 0; }
+  int goal() const override { return 1; }
+  int face_of(int node) const override { return face_[index(node)]; }
+  std::span<const int> on_face(int face) const override { return faces_[index(face)]; }
+  void leg_bounds(int node, std::span<Cost> out) override {
+    const auto there = on_face(face_of(node));
+    for (std::size_t i = 0; i < there.size(); ++i) out[i] = bound(node, there[i]);
+  }
+  Cost leg(int from, int to) override {
+    ++evaluated;
+    return legs_.at({from, to});
+  }
+  std::span<const Transition> transitions(int node) override { return lists_[index(node)]; }
+  bool transition(int from, int to) override {
+    ++evaluated;
+    return possible_.at({from, to});
+  }
+  void leg_firsts(int node, std::span<double> out) override {
+    const auto there = on_face(face_of(node));
+    for (std::size_t i = 0; i < there.size(); ++i) out[i] = bound(node, there[i]).first;
+  }
+  double from_start(int) override { return 0.0; }
+  double second_to_goal(int) override { return 0.0; }
+
+  // Least cost by relaxing every edge until nothing changes; `lower`: with bounds instead of what is true.
+  Cost least(bool lower) const {
+    std::vector<Cost> arrived(index(nodes()), kNever), departing(index(nodes()), kNever);
+    arrived[index(start())] = {};
+    for (bool changed = true; changed;) {
+      changed = false;
+      const auto relax = [&](Cost& at, const Cost& cost) {
+        if (cost < at) at = cost, changed = true;
+      };
+      for (int a = 0; a < nodes(); ++a) {
+        if (!(arrived[index(a)] == kNever))
+          for (const int b : on_face(face_of(a)))
+            relax(departing[index(b)], arrived[index(a)] + (a == b ? Cost{} : lower ? bound(a, b) : legs_.at({a, b})));
+        if (!(departing[index(a)] == kNever))
+          for (const Transition& t : lists_[index(a)])
+            if (lower || possible_.at({a, t.to})) relax(arrived[index(t.to)], departing[index(a)] + t.cost);
+      }
+    }
+    return departing[index(goal())];
+  }
+  // Cost of hops, as it truly is.
+  Cost of(const std::vector<Hop>& hops) const {
+    Cost out;
+    int at = start();
+    for (const Hop& hop : hops) {
+      EXPECT_EQ(hop.from, at);
+      at = hop.to;
+      if (hop.leg) {
+        out = out + legs_.at({hop.from, hop.to});
+        continue;
+      }
+      EXPECT_TRUE(possible_.at({hop.from, hop.to}));
+      for (const Transition& t : lists_[index(hop.from)])
+        if (t.to == hop.to) out = out + t.cost;
+    }
+    EXPECT_EQ(at, goal());
+    return out;
+  }
+
+  int evaluated = 0;
+
+ private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  int some(int below) { return static_cast<int>(random_() % static_cast<std::uint64_t>(below)); }
+  Cost bound(int a, int b) const {
+    const double distance = std::abs(place_[index(a)] - place_[index(b)]);
+    return a == b ? Cost{} : Cost{std::max(1.0, std::ceil(distance / 3.0)), distance};
+  }
+
+  std::mt19937_64 random_;
+  std::vector<int> face_, place_;
+  std::vector<std::vector<int>> faces_;
+  std::vector<std::vector<Transition>> lists_;
+  std::map<std::pair<int, int>, Cost> legs_;
+  std::map<std::pair<int, int>, bool> possible_;
+};
+
+TEST(SearchRoute, FindsTheLeastCostOfRandomGraphsAndItsBound) {
+  int found = 0, none = 0, above = 0;
+  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+    RandomGraph graph(seed);
+    const SearchResult result = search_route(graph, 1'000'000, {});
+    const Cost least = graph.least(false);
+    ASSERT_TRUE(result.bound == graph.least(true)) << "seed " << seed;
+    if (least == kNever) {
+      ++none;
+      ASSERT_EQ(result.outcome, SearchResult::Outcome::kNone) << "seed " << seed;
+      continue;
+    }
+    ++found;
+    ASSERT_EQ(result.outcome, SearchResult::Outcome::kFound) << "seed " << seed;
+    ASSERT_TRUE(result.cost == least) << "seed " << seed << ": " << result.cost.first << " instead of " << least.first;
+    ASSERT_TRUE(graph.of(result.hops) == least) << "seed " << seed;
+    above += result.bound.first < least.first ? 1 : 0;
+  }
+  EXPECT_GT(found, 1000);
+  EXPECT_GT(none, 100);
+  EXPECT_GT(above, 100);
+}
+
+TEST(SearchRoute, GivesUpAtTheLimitAndStopsWhenAsked) {
+  RandomGraph graph(3);
+  EXPECT_EQ(search_route(graph, 1, {}).outcome, SearchResult::Outcome::kLimit);
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_EQ(search_route(graph, 1000, source.get_token()).outcome, SearchResult::Outcome::kStopped);
+}
+
+}  // namespace
+}  // namespace foothold::hyrecro
