@@ -101,7 +101,7 @@ Travel plan_travel(const Model& model, const PreparedTruss& scene, const Options
         out.failure = {PlanError::kNoPath, "",
                        "no motion was found for a stride to " + told(scene.truss, route.strides[k].to) +
                            " while the other foot holds at " + told(scene.truss, holding) + ": " + motions.reason + "; " +
-                           std::to_string(bans + 1) + " routes were tried",
+                           (bans == 0 ? std::string("1 route was") : std::to_string(bans + 1) + " routes were") + " tried",
                        "lower clearance or lift, or plan with motion: false to see the footholds"};
         if (options.method == Method::kPaper || bans == kMostBans) return out;
         with.optimal.banned.push_back({holding, route.strides[k].to});
