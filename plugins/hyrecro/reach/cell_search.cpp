@@ -17,6 +17,9 @@ constexpr double kTrust = 0.5;
 constexpr std::size_t kSingularLevels = 4, kRegularLevels = 5, kClimbLevels = 5;
 // Where no cell's centre is within limits, the search goes on with so many of the best.
 constexpr std::size_t kClimbers = 96;
+// The first climb: from so many cells, on the grid of this level, until there is as much room (m).
+constexpr std::size_t kFirstClimbs = 6, kClimbLevel = 6;
+constexpr double kRoomy = 0.01;
 
 double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
 
@@ -79,30 +82,32 @@ void CellSearch::set_up(const Isometry3d& pose) {
 void CellSearch::set_ticks(std::size_t level) {
   if (singular_) {
     lengths_ = singular_grids_[level].lengths;
-    first_[0] = second_[0] = singular_ticks_[level];
+    first_[0] = second_[0] = singular_ticks_[level].data();
     return;
   }
   lengths_ = regular_grids_[level].lengths;
   const double most = model_.mechanism.greatest_phi();
   const int count = regular_grids_[level].angles;
   for (std::size_t branch = 0; branch < 2; ++branch) {
+    auto &one = regular_first_[branch], &two = regular_second_[branch];
+    one.clear();
+    two.clear();
     const double psi = std::atan2(regular_turn_[branch].sin1, regular_turn_[branch].cos1);
     const double low = std::max(-most, psi - most), high = std::min(most, psi + most);
-    first_[branch].clear();
-    second_[branch].clear();
-    if (low > high) continue;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count && low <= high; ++i) {
       const double phi1 = low + (high - low) * (i + 0.5) / count;
-      first_[branch].push_back(tick(phi1));
-      second_[branch].push_back(tick(psi - phi1));
+      one.push_back(tick(phi1));
+      two.push_back(tick(psi - phi1));
     }
+    first_[branch] = one.data();
+    second_[branch] = two.data();
   }
 }
 
 CellSearch::Posture CellSearch::at(const Cell& cell) const {
   const std::size_t branch = cell.s1 > 0 ? 0 : 1;
-  const Tick& one = first_[branch][static_cast<std::size_t>(cell.i)];
-  const Tick& two = second_[branch][static_cast<std::size_t>(singular_ ? cell.j : cell.i)];
+  const Tick& one = first_[branch][cell.i];
+  const Tick& two = second_[branch][singular_ ? cell.j : cell.i];
   const double half = 0.5 * (one.stroke.high + two.stroke.high - one.stroke.low - two.stroke.low);
   const double place = (2.0 * cell.k + 1.0 - lengths_) / lengths_;
   Posture out;
@@ -181,7 +186,7 @@ void CellSearch::refine(const Grid& grid) {
 
 // In the paper's frame of the sole that holds.
 std::array<collision::Capsule, 2> CellSearch::legs(const Cell& cell, const Posture& posture) const {
-  const Tick& one = first_[cell.s1 > 0 ? 0 : 1][static_cast<std::size_t>(cell.i)];
+  const Tick& one = first_[cell.s1 > 0 ? 0 : 1][cell.i];
   const double a = model_.ankle_height, begin = model_.leg_begin;
   const Vector3d w0(posture.wx, posture.wy, 0.0), ankle0(0.0, a, 0.0);
   const Vector3d ankle1 = pose_.p + a * pose_.r.col(1), n1 = one.cosine * pose_.r.col(1) - one.sine * pose_.r.col(0);
@@ -202,7 +207,7 @@ bool CellSearch::free_of_itself(const Cell& cell, const Posture& posture) {
 
 Coordinates CellSearch::coordinates(const Cell& cell, const Posture& posture) const {
   const std::size_t branch = cell.s1 > 0 ? 0 : 1;
-  const Tick& one = first_[branch][static_cast<std::size_t>(cell.i)];
+  const Tick& one = first_[branch][cell.i];
   const Turn& turn = posture.turn;
   const auto leg = [&](double phi1, double psi, double lambda) {
     const double phi2 = wrapped(psi - phi1);
@@ -218,6 +223,13 @@ Coordinates CellSearch::coordinates(const Cell& cell, const Posture& posture) co
           {hip0, wrapped(hip0 - hips)}};
 }
 
+bool CellSearch::take(const Cell& cell, const Posture& posture, const Offer& offer) {
+  ++postures_;
+  if (!free_of_itself(cell, posture)) return false;
+  ++offers_;
+  return offer(coordinates(cell, posture));
+}
+
 // What is inside the limits, roomiest first.
 bool CellSearch::offer_all(const Offer& offer) {
   const auto less_room = [](const Cell& a, const Cell& b) { return a.margin < b.margin; };
@@ -226,11 +238,45 @@ bool CellSearch::offer_all(const Offer& offer) {
     std::pop_heap(inside_.begin(), inside_.end(), less_room);
     const Cell cell = inside_.back();
     inside_.pop_back();
-    const Posture posture = at(cell);
-    ++postures_;
-    if (!free_of_itself(cell, posture)) continue;
-    ++offers_;
-    if (offer(coordinates(cell, posture))) return true;
+    if (take(cell, at(cell), offer)) return true;
+  }
+  return false;
+}
+
+// Pattern search by the margin on a fine grid, from the best cells of the coarsest.
+bool CellSearch::climb(const Offer& offer) {
+  constexpr int directions[][3] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},  {0, -1, 0}, {0, 0, 1},
+                                   {0, 0, -1}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0},  {-1, -1, 0}};
+  const auto roomier = [](const Cell& a, const Cell& b) { return a.margin > b.margin; };
+  const std::size_t climbs = std::min(kFirstClimbs, cells_.size());
+  halved_.resize(climbs);
+  std::partial_sort_copy(cells_.begin(), cells_.end(), halved_.begin(), halved_.end(), roomier);
+  set_ticks(kClimbLevel);
+  const Grid& grid = singular_grids_[kClimbLevel];
+  for (Cell best : halved_) {
+    const auto finer = [](short index) { return static_cast<short>((index << kClimbLevel) + (1 << (kClimbLevel - 1))); };
+    best.i = finer(best.i);
+    best.j = finer(best.j);
+    best.k = finer(best.k);
+    Posture posture = at(best);
+    for (int step = 1 << (kClimbLevel - 1); step > 0 && posture.margin < kRoomy;) {
+      bool better = false;
+      for (const auto& d : directions) {
+        const int i = best.i + step * d[0], j = best.j + step * d[1], k = best.k + step * d[2];
+        if (std::min({i, j, k}) < 0 || std::max(i, j) >= grid.angles || k >= grid.lengths) continue;
+        Cell next = best;
+        next.i = static_cast<short>(i);
+        next.j = static_cast<short>(j);
+        next.k = static_cast<short>(k);
+        const Posture there = at(next);
+        if (there.margin <= posture.margin) continue;
+        better = true;
+        best = next;
+        posture = there;
+      }
+      if (!better) step /= 2;
+    }
+    if (posture.margin > kInside && take(best, posture, offer)) return true;
   }
   return false;
 }
@@ -244,14 +290,14 @@ bool CellSearch::search(const Isometry3d& free_in_holding, const Offer& offer) {
   set_ticks(0);
   for (const int s1 : {1, -1}) {
     if (singular_ && s1 < 0) break;
-    const auto& angles = first_[s1 > 0 ? 0 : 1];
-    const auto count = static_cast<short>(angles.size());
+    const auto count = static_cast<short>(singular_ ? grids[0].angles : static_cast<int>(regular_first_[s1 > 0 ? 0 : 1].size()));
     for (const int s2 : {1, -1})
       for (short i = 0; i < count; ++i)
         for (short j = 0; j < (singular_ ? count : 1); ++j)
           for (short k = 0; k < lengths_; ++k)
             add({i, j, k, static_cast<signed char>(s1), static_cast<signed char>(s2), 0.0}, grids[0], false);
   }
+  if (singular_ && inside_.empty() && climb(offer)) return true;
   for (std::size_t level = 1;; ++level) {
     if (offer_all(offer)) return true;
     if (level == grids.size() || cells_.empty() || spent()) return false;

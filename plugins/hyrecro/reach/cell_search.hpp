@@ -3,7 +3,8 @@
 // A grid over the free variables (singular: both angles of the free leg and the place of its length between its limits; regular:
 // one angle and that place), for each branch. At each cell's centre the posture's margin to the limits is known in closed form, and
 // as it changes with bounded slope, a cell whose centre is too far out of limits holds no solution and is dropped. The others are
-// offered if their centre is within limits, roomiest first, and halved.
+// offered if their centre is within limits, roomiest first, and halved. Singular poses, whose solutions often fill a small part of
+// a cell, first get a climb by the margin from the best cells of the coarsest grid.
 #pragma once
 
 #include <functional>
@@ -65,6 +66,8 @@ class CellSearch {
   bool may_hold(const Cell& cell, const Posture& posture, const Grid& grid, bool judge_legs) const;
   void add(Cell cell, const Grid& grid, bool judge_legs);
   void refine(const Grid& grid);
+  bool climb(const Offer& offer);
+  bool take(const Cell& cell, const Posture& posture, const Offer& offer);
   std::array<collision::Capsule, 2> legs(const Cell& cell, const Posture& posture) const;
   bool free_of_itself(const Cell& cell, const Posture& posture);
   Coordinates coordinates(const Cell& cell, const Posture& posture) const;
@@ -81,7 +84,9 @@ class CellSearch {
   PaperPose pose_{Isometry3d::Identity()};
   bool singular_ = false;
   std::array<Turn, 2> regular_turn_;  // for s1 = 1 and -1
-  std::array<std::vector<Tick>, 2> first_, second_;
+  std::array<std::vector<Tick>, 2> regular_first_, regular_second_;
+  // Of the level at hand, by s1: where phi1 and phi2 are in its cells' centres.
+  std::array<const Tick*, 2> first_{}, second_{};
   int lengths_ = 1;
   std::size_t postures_ = 0, offers_ = 0;
   Bodies bodies_;  // in the paper's frame of the sole that holds; plates set once for a pose
