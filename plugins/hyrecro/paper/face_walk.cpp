@@ -135,8 +135,16 @@ std::optional<Stride> next_best_foothold(const Walker& w, const SafeGround& grou
 FaceWalk walk_face(const Walker& w, const SafeGround& ground, const Foothold& from, const Foothold& to,
                    const std::stop_token& stop) {
   FaceWalk walk;
+  const auto arrived = [&](const Foothold& current) {
+    const std::optional<Stride> last = to_destination(w, current, to);
+    if (!last) return false;
+    walk.strides.push_back(*last);
+    walk.outcome = FaceWalk::Outcome::kReached;
+    return true;
+  };
+  if (arrived(from)) return walk;
   if (ground.empty()) {
-    walk.stuck = "the face is too narrow: no place is " + std::to_string(w.options.safe_inset) + " m from all its edges";
+    walk.stuck = "the face is too narrow: no place keeps its distance from all edges";
     return walk;
   }
   walk.way = ground.way(from.at, to.at, w.options.way);
@@ -153,11 +161,6 @@ FaceWalk walk_face(const Walker& w, const SafeGround& ground, const Foothold& fr
       return walk;
     }
     const double d = (to.at - current.at).norm();
-    if (const std::optional<Stride> last = to_destination(w, current, to)) {
-      walk.strides.push_back(*last);
-      walk.outcome = FaceWalk::Outcome::kReached;
-      return walk;
-    }
     const double r = std::min(workspace.r_max(), d - workspace.r_opt());
     if (r < w.order.least_reach()) {
       if (const auto two = by_optimal_circle(w, ground, current, to)) {
@@ -175,6 +178,7 @@ FaceWalk walk_face(const Walker& w, const SafeGround& ground, const Foothold& fr
     }
     walk.strides.push_back(*next);
     current = next->to;
+    if (arrived(current)) return walk;
   }
   walk.stuck = "the walk does not come nearer to " + in_words(w, to) + " than " + in_words(w, current);
   return walk;

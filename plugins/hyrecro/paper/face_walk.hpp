@@ -20,7 +20,7 @@ struct FaceWalk {
   enum class Outcome { kReached, kStuck, kStopped };
   Outcome outcome = Outcome::kStuck;
   std::vector<Stride> strides;
-  std::vector<Vector2d> way;  // the continuous one
+  std::vector<Vector2d> way;  // the continuous one; empty if one stride suffices
   std::string stuck;          // where and why, a sentence without its end
 };
 

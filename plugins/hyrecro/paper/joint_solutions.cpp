@@ -1,9 +1,21 @@
 #include "hyrecro/paper/joint_solutions.hpp"
 
+#include <cmath>
+
+#include "hyrecro/reach/exact.hpp"
+
 namespace foothold::hyrecro {
 
 JointSolutions::JointSolutions(const Model& model, const PreparedTruss& scene, Reachability& asked)
-    : model_(model), scene_(scene), asked_(asked) {}
+    : model_(model), scene_(scene), asked_(asked), repeats_(dynamic_cast<const Exact*>(&asked) != nullptr) {}
+
+JointSolutions::PoseKey JointSolutions::key_of(const Isometry3d& pose) {
+  PoseKey key{};
+  const Eigen::Matrix<double, 3, 4> rows = pose.matrix().topRows<3>();
+  for (std::size_t k = 0; k < key.size(); ++k)
+    key[k] = static_cast<int>(std::lround(1e8 * rows(static_cast<Eigen::Index>(k % 3), static_cast<Eigen::Index>(k / 3))));
+  return key;
+}
 
 bool JointSolutions::admits(const Isometry3d& holding, const Coordinates& coordinates) const {
   return scene_.obstacles.free(bodies_at(model_, coordinates, holding), scene_.clearance);
@@ -17,8 +29,15 @@ Reachability& JointSolutions::exact() {
 Answer JointSolutions::solve(const Isometry3d& holding, const Isometry3d& free) {
   ++count_;
   const Isometry3d pose = holding.inverse() * free;
-  const Admit admit = [&](const Coordinates& coordinates) { return admits(holding, coordinates); };
+  const PoseKey key = repeats_ ? key_of(pose) : PoseKey{};
+  if (repeats_ && out_of_reach_.contains(key)) return {};
+  bool offered = false;
+  const Admit admit = [&](const Coordinates& coordinates) {
+    offered = true;
+    return admits(holding, coordinates);
+  };
   const Reach reach = asked_.reach(pose, admit);
+  if (repeats_ && !reach.reachable && !offered) out_of_reach_.insert(key);
   if (!reach.reachable || reach.coordinates) return {reach.reachable, reach.coordinates};
   if (const Reach solved = exact().reach(pose, admit); solved.reachable) return {true, solved.coordinates};
   // Reachable but for the scene: the configuration collides.

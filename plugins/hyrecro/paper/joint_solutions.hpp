@@ -6,6 +6,9 @@
 // check() refuses it, since its forward kinematics miss the contact.
 #pragma once
 
+#include <array>
+#include <set>
+
 #include "hyrecro/reach/reachability.hpp"
 #include "hyrecro/scene/prepared.hpp"
 
@@ -31,12 +34,19 @@ class JointSolutions {
   std::size_t asked() const { return count_; }
 
  private:
+  // A pose to a hundred millionth of a metre and of a radian.
+  using PoseKey = std::array<int, 12>;
+  static PoseKey key_of(const Isometry3d& pose);
   Reachability& exact();
 
   const Model& model_;
   const PreparedTruss& scene_;
   Reachability& asked_;
   std::unique_ptr<Reachability> exact_;  // made when the network is asked
+  // On beams the same few relative poses come again and again: those that no posture reaches, whatever the scene. Kept for `exact`
+  // alone, whose answers do not change from call to call.
+  bool repeats_;
+  std::set<PoseKey> out_of_reach_;
   std::size_t count_ = 0;
 };
 

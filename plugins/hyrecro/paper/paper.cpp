@@ -96,7 +96,7 @@ Found plan_paper(const Model& model, const PreparedTruss& scene, Reachability& r
                        "the paper's method does not come back to try other transitions: method optimal does"};
       return found;
     }
-    length += geometry::length_of(walk.way);
+    length += walk.way.empty() ? (to.foothold.at - from.at).norm() : geometry::length_of(walk.way);
     found.route.strides.insert(found.route.strides.end(), walk.strides.begin(), walk.strides.end());
   }
   found.outcome = Found::Outcome::kReached;
