@@ -41,7 +41,7 @@ class Flood {
       const auto wanted = [&](const RouteGraph::Transition& t) { return !entered(graph_.face_of(t.to)); };
       const auto list = graph_.transitions(node);
       if (std::none_of(list.begin(), list.end(), wanted) || stop_.stop_requested() || left_ <= 0) continue;
-      if (node != from && graph_.leg(from, node) == kNever) continue;
+      if (node != from && graph_.leg(from, node, false) == kNever) continue;
       walked_ = walked_ || node != from;
       for (const RouteGraph::Transition& transition : list)
         if (wanted(transition) && --left_ > 0 && graph_.transition(node, transition.to)) {

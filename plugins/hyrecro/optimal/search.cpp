@@ -11,9 +11,10 @@ namespace {
 // Forward, lazily. A state is 2 * node + (departing ? 1 : 0).
 class Forward {
  public:
-  Forward(RouteGraph& graph, Labels& labels, std::size_t max_settled, const std::stop_token& stop)
+  Forward(RouteGraph& graph, Labels& labels, bool proved, std::size_t max_settled, const std::stop_token& stop)
       : graph_(graph),
         labels_(labels),
+        proved_(proved),
         max_settled_(max_settled),
         stop_(stop),
         parent_(2 * static_cast<std::size_t>(graph.nodes()), -2) {}
@@ -72,7 +73,7 @@ class Forward {
   bool evaluate(const Entry& entry) {
     const int from = entry.parent / 2, to = entry.state / 2;
     if (entry.state % 2 == 0) return graph_.transition(from, to);
-    const Cost real = graph_.leg(from, to);
+    const Cost real = graph_.leg(from, to, proved_);
     if (real == kNever) return false;
     const Cost cost = arrived_.at(static_cast<std::size_t>(from)) + real;
     if (!(entry.cost < cost)) return true;
@@ -115,6 +116,7 @@ class Forward {
 
   RouteGraph& graph_;
   Labels& labels_;
+  bool proved_;  // costs are what is proved, not what is found
   std::size_t max_settled_;
   const std::stop_token& stop_;
   std::vector<int> parent_;  // by state; -2: not settled, -1: the root
@@ -127,11 +129,25 @@ class Forward {
 }  // namespace
 
 SearchResult search_route(RouteGraph& graph, std::size_t max_settled, const std::stop_token& stop) {
-  Labels labels(graph, max_settled, stop);
-  labels.settle_fully(2 * graph.start());
-  const Cost bound = labels.estimate(2 * graph.start()).cost;
-  SearchResult out = Forward(graph, labels, max_settled, stop).run();
-  out.bound = bound;
+  SearchResult out;
+  std::size_t settled = 0;
+  const auto search = [&](bool proved) {
+    Labels labels(graph, max_settled - std::min(settled, max_settled), stop);
+    labels.settle_fully(2 * graph.start());
+    const Cost bound = labels.estimate(2 * graph.start()).cost;
+    SearchResult found = Forward(graph, labels, proved, max_settled - std::min(settled, max_settled), stop).run();
+    settled += found.settled;
+    found.bound = bound;
+    return found;
+  };
+  out = search(false);
+  // What was found out on the way has raised what can be proved.
+  if (out.outcome == SearchResult::Outcome::kFound && out.bound.first < out.cost.first) {
+    const SearchResult proof = search(true);
+    if (proof.outcome == SearchResult::Outcome::kStopped) return proof;
+    if (proof.outcome == SearchResult::Outcome::kFound) out.bound = std::min(proof.cost, out.cost);
+  }
+  out.settled = settled;
   return out;
 }
 

@@ -42,8 +42,9 @@ class RouteGraph {
   // inequality. 0 for the node itself.
   virtual void leg_bounds(int node, std::span<Cost> out) = 0;
   virtual void leg_firsts(int node, std::span<double> out) = 0;  // their first components alone
-  // What is known to be possible, or to be impossible (kNever); never less than the bound.
-  virtual Cost leg(int from, int to) = 0;
+  // What is known to be possible, or to be impossible (kNever); never less than the bound. `proved`: what no leg can be cheaper
+  // than.
+  virtual Cost leg(int from, int to, bool proved) = 0;
   // Transitions that may be possible; symmetric. Valid until the next call.
   virtual std::span<const Transition> transitions(int node) = 0;
   virtual bool transition(int from, int to) = 0;

@@ -161,8 +161,9 @@ const KeptTruss::Leg& TrussGraph::walk(int from, int to) {
   return leg;
 }
 
-Cost TrussGraph::leg(int from, int to) {
+Cost TrussGraph::leg(int from, int to, bool proved) {
   const KeptTruss::Leg& leg = walk(from, to);
+  if (proved) return cost(leg.least, (at(to).at - at(from).at).norm());
   if (!leg.found) return kNever;
   double length = 0.0;
   Vector2d before = at(from).at;

@@ -59,7 +59,7 @@ class TrussGraph final : public RouteGraph {
   int face_of(int node) const override { return at(node).face; }
   std::span<const int> on_face(int face) const override;
   void leg_bounds(int node, std::span<Cost> out) override;
-  Cost leg(int from, int to) override;
+  Cost leg(int from, int to, bool proved) override;
   std::span<const Transition> transitions(int node) override;
   bool transition(int from, int to) override;
   void leg_firsts(int node, std::span<double> out) override;
