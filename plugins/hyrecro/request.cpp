@@ -7,6 +7,7 @@
 
 #include "hyrecro/motion/rise.hpp"
 #include "hyrecro/place.hpp"
+#include "hyrecro/reach/network.hpp"
 
 namespace foothold::hyrecro {
 namespace {
@@ -65,6 +66,9 @@ Options read_options(const Parameters& parameters) {
   out.optimal.max_nodes = static_cast<std::size_t>(parameters.integer("max_nodes"));
   out.motion = parameters.flag("motion");
   out.clearance = parameters.real("clearance");
+  if (const double known = shipped_perceptron(PoseKind::kTransition).clearance;
+      out.reachability == ReachabilityKind::kNetwork && out.clearance != known)
+    invalid("parameters.clearance", "the networks know ", known, " m alone, not ", out.clearance, "; take reachability exact");
   out.position_step = parameters.real("position_step");
   out.heading_step = parameters.real("heading_step");
   const double turns = 2.0 * std::numbers::pi / out.heading_step;

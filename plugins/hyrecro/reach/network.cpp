@@ -13,7 +13,7 @@ class Network final : public Reachability {
  public:
   explicit Network(const Model& model) {
     for (const PoseKind kind : {PoseKind::kFace, PoseKind::kTransition}) {
-      const TrainedPerceptron trained = shipped_perceptron(kind);
+      const TrainedPerceptron& trained = shipped_perceptron(kind);
       if (const std::string numbers = robot_numbers(model); trained.robot != numbers)
         throw std::runtime_error("the reachability network for " + trained.kind +
                                  " poses was trained for a robot with the numbers " + trained.robot + ", not " + numbers +
@@ -38,13 +38,19 @@ class Network final : public Reachability {
   std::array<double, 2> radius_squared_{};
 };
 
+TrainedPerceptron checked(PoseKind kind, std::string_view weights) {
+  TrainedPerceptron out = from_text(weights);
+  if (out.kind != name_of(kind))
+    throw std::runtime_error("weights for " + out.kind + " poses where those for " + name_of(kind) + " poses belong");
+  return out;
+}
+
 }  // namespace
 
-TrainedPerceptron shipped_perceptron(PoseKind kind) {
-  TrainedPerceptron out = from_text(kind == PoseKind::kFace ? kFaceWeights : kTransitionWeights);
-  if (out.kind != name_of(kind))
-    throw std::runtime_error(std::string("weights for ") + out.kind + " where those for " + name_of(kind) + " belong");
-  return out;
+const TrainedPerceptron& shipped_perceptron(PoseKind kind) {
+  static const TrainedPerceptron kFace = checked(PoseKind::kFace, kFaceWeights);
+  static const TrainedPerceptron kTransition = checked(PoseKind::kTransition, kTransitionWeights);
+  return kind == PoseKind::kFace ? kFace : kTransition;
 }
 
 std::unique_ptr<Reachability> make_network(const Model& model) { return std::make_unique<Network>(model); }

@@ -6,7 +6,8 @@
 
 namespace foothold::hyrecro {
 
-// As plugins/hyrecro/reach/weights/<kind>.txt was when this was built. Throws std::runtime_error if that file is broken.
-TrainedPerceptron shipped_perceptron(PoseKind kind);
+// As plugins/hyrecro/reach/weights/<kind>.txt was when this was built; read once. Throws std::runtime_error if that file is broken.
+// Any thread.
+const TrainedPerceptron& shipped_perceptron(PoseKind kind);
 
 }  // namespace foothold::hyrecro

@@ -7,11 +7,12 @@
 #include <numbers>
 #include <utility>
 
+#include "hyrecro/reach/inverse.hpp"
+
 namespace foothold::hyrecro {
 namespace {
 
-constexpr double kPlane = 1e-6;   // m
-constexpr double kCosine = 1e-9;  // what a cosine may lack to 1
+constexpr double kPlane = 1e-6;  // m and rad
 
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 double uniform(std::mt19937_64& random, double low, double high) { return low + (high - low) * uniform(random); }
@@ -77,8 +78,11 @@ double shortest(const Model& m, double phi1, double phi2) {
 const char* name_of(PoseKind kind) { return kind == PoseKind::kFace ? "face" : "transition"; }
 
 std::optional<PoseKind> kind_of(const Isometry3d& pose) {
-  if (std::fabs(pose(1, 1)) > 1.0 - kCosine) return PoseKind::kTransition;
-  if (pose(2, 2) > 1.0 - kCosine && std::fabs(pose(2, 3)) < kPlane) return PoseKind::kFace;
+  // Of the angle between the soles' Y axes, and between their normals.
+  const double across = pose(0, 1) * pose(0, 1) + pose(2, 1) * pose(2, 1);
+  const double normals = pose(0, 2) * pose(0, 2) + pose(1, 2) * pose(1, 2);
+  if (across < kSingular * kSingular) return PoseKind::kTransition;
+  if (pose(2, 2) > 0.0 && normals < kPlane * kPlane && std::fabs(pose(2, 3)) < kPlane) return PoseKind::kFace;
   return std::nullopt;
 }
 

@@ -21,9 +21,9 @@ namespace foothold::hyrecro {
 enum class PoseKind { kFace, kTransition };
 const char* name_of(PoseKind kind);  // "face", "transition"
 
-// Transition: a singular posture of the paper, the soles' Y axes (its Z axes) parallel or antiparallel within 1e-9 of the cosine;
-// face: both soles in one plane within 1e-6 m and 1e-9 of the cosine. A pose that is both (heading difference 0 or half a turn) is
-// a transition, since the inverse kinematics has its additional free variable. Empty: neither; no perceptron knows such poses.
+// Transition: a singular posture of the paper, the soles' Y axes (its Z axes) parallel or antiparallel within kSingular; face: both
+// soles in one plane within 1e-6 m and rad. A pose that is both (heading difference 0 or half a turn) is a transition, since
+// the inverse kinematics has its additional free variable. Empty: neither; no perceptron knows such poses.
 std::optional<PoseKind> kind_of(const Isometry3d& free_in_holding);
 
 // Precondition: the pose is of that kind.

@@ -153,6 +153,8 @@ TEST_F(Requests, RefusesTwoContactsThatNoPostureStandsOn) {
 TEST_F(Requests, RefusesParametersThatDoNotGoTogether) {
   expect_refused("parameters.heading_step", "divide", {{"heading_step", "0.09"}});
   expect_refused("parameters.reachability", "method paper", {{"reachability", "network"}});
+  expect_refused("parameters.clearance", "the networks know 0.005 m alone",
+                 {{"method", "paper"}, {"reachability", "network"}, {"clearance", "0.01"}});
   expect_refused("parameters.face_rule", "method paper", {{"face_rule", "zhu"}});
   expect_refused("parameters.face_way", "method paper", {{"face_way", "grid"}});
   expect_refused("parameters.objective", "method paper", {{"method", "paper"}, {"objective", "distance"}});
