@@ -5,8 +5,8 @@
 
 namespace foothold::hyrecro {
 
-enum class Kind { kPlanar, kTransition, kGeneral };
-inline constexpr Kind kKinds[] = {Kind::kPlanar, Kind::kTransition, Kind::kGeneral};
+enum class Kind { kPlanar, kAligned, kTransition, kGeneral };
+inline constexpr Kind kKinds[] = {Kind::kPlanar, Kind::kAligned, Kind::kTransition, Kind::kGeneral};
 
 inline Isometry3d turned(double angle, const Vector3d& axis) { return Isometry3d(Eigen::AngleAxisd(angle, axis)); }
 
@@ -17,17 +17,18 @@ inline Vector3d in_sphere(std::mt19937_64& random, double radius) {
   return radius * out;
 }
 
-// Planar: in the plane of the foot that holds. Transition: the soles' Y axes (interface) parallel or antiparallel. Positions
-// uniform in the sphere that the robot cannot leave; of transitions also near enough across that only the plane of the legs
-// decides.
+// Planar: in the plane of the foot that holds. Aligned: there with equal or opposite headings, so singular. Transition: the soles'
+// Y axes (interface) parallel or antiparallel. Positions uniform in the sphere that the robot cannot leave; of transitions also
+// near enough across that only the plane of the legs decides.
 inline Isometry3d random_pose(std::mt19937_64& random, Kind kind) {
   Isometry3d out = Isometry3d::Identity();
   const double angle = uniform(random, -std::numbers::pi, std::numbers::pi);
   switch (kind) {
     case Kind::kPlanar:
+    case Kind::kAligned:
       do out.translation() = Vector3d(uniform(random, -0.6, 0.6), uniform(random, -0.6, 0.6), 0.0);
       while (out.translation().norm() > 0.6);
-      out.linear() = turned(angle, Vector3d::UnitZ()).linear();
+      out.linear() = turned(kind == Kind::kPlanar ? angle : (angle < 0.0 ? 0.0 : std::numbers::pi), Vector3d::UnitZ()).linear();
       break;
     case Kind::kTransition:
       out.translation() = in_sphere(random, 0.9);
@@ -51,7 +52,7 @@ inline Isometry3d random_reached_pose(std::mt19937_64& random, Kind kind) {
   if (kind == Kind::kGeneral) return forward(robot(), random_coordinates(random));
   if (kind == Kind::kTransition) return forward(robot(), random_singular_coordinates(random));
   const auto& mechanism = robot().mechanism;
-  Coordinates c = random_coordinates(random);
+  Coordinates c = kind == Kind::kAligned ? random_singular_coordinates(random) : random_coordinates(random);
   const auto upright = [&](double phi, double height) {
     const double y = 0.5 * (height / std::cos(phi) + robot().core);
     return Leg{phi, y, -phi, y};
