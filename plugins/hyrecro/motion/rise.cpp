@@ -4,14 +4,15 @@
 
 #include "hyrecro/motion/lift.hpp"
 #include "hyrecro/motion/solutions.hpp"
+#include "hyrecro/reach/inverse.hpp"
+#include "hyrecro/reach/reachability.hpp"
 
 namespace foothold::hyrecro {
 namespace {
 
-// Coarse, and fine for stances near the border of what can be reached.
-constexpr SolutionGrid kGrids[] = {{0.1, 0.01, 0.1}, {0.03, 0.003, 0.2}};
+constexpr SolutionGrid kGrid{0.1, 0.01, 0.1};
 // Ways up that are judged before a stance is given up.
-constexpr std::size_t kMostJudged = 24;
+constexpr int kMostJudged = 24;
 
 Blocked judge(const Surroundings& around, const std::vector<Coordinates>& way) {
   Blocked out;
@@ -52,15 +53,28 @@ std::optional<std::vector<Coordinates>> rise(const Surroundings& around, const C
     reason = "the leg has no room to lift its foot";
   }
   if (!whole) return std::nullopt;
-  std::size_t judged = 0;
-  for (const SolutionGrid& grid : kGrids)
-    for (const Coordinates& top : nearest_first(around.model, stance, height, grid)) {
-      if (around.stop.stop_requested()) return std::nullopt;
-      const auto line = slide(around.model, stance, top, height, options.line_tolerance);
-      if (!line) continue;
-      if (!judge(around, *line)) return line;
-      if (++judged == kMostJudged) break;
+  std::optional<std::vector<Coordinates>> found;
+  int judged = 0;
+  const auto leads_up = [&](const Coordinates& top) {
+    if (judged == kMostJudged || around.stop.stop_requested()) return false;
+    found = slide(around.model, stance, top, height, options.line_tolerance);
+    if (found && judge(around, *found)) {
+      found.reset();
+      ++judged;
     }
+    return found.has_value();
+  };
+  for (const Coordinates& top : nearest_first(around.model, stance, height, kGrid))
+    if (leads_up(top)) return found;
+  // What is left above may be too little for a grid.
+  const Branch branch = branch_of(stance);
+  const Isometry3d above = forward(around.model, stance) * Eigen::Translation3d(0.0, 0.0, height);
+  const bool any_s1 = singular(above);
+  const auto admit = [&](const Coordinates& top) {
+    const Branch of = branch_of(top);
+    return of.s2 == branch.s2 && (any_s1 || of.s1 == branch.s1) && leads_up(top);
+  };
+  if (make_exact(around.model, around.clearance)->reach(above, admit).reachable && found) return found;
   reason += ", nor has the whole robot";
   return std::nullopt;
 }

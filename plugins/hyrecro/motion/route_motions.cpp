@@ -12,6 +12,7 @@
 #include "hyrecro/motion/move.hpp"
 #include "hyrecro/motion/rise.hpp"
 #include "hyrecro/motion/solutions.hpp"
+#include "hyrecro/reach/inverse.hpp"
 
 namespace foothold::hyrecro {
 namespace {
@@ -26,13 +27,18 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 // A posture on two footholds, seen from the foot that held when it was reached.
 struct Stance {
   Coordinates coordinates;
-  Actuators landing, leaving;  // with the foot lifted: just before (same view), and just after (seen from the other foot)
-  double cost = 0.0;           // s
+  Actuators landing, leaving;        // with the foot lifted: just before (same view), and just after (seen from the other foot)
+  bool lands = true, leaves = true;  // one leg alone has room to lift its foot
+  double cost = 0.0;                 // s
 };
 
 Stance stance_of(const Model& model, const Coordinates& c, double height) {
   const std::optional<Coordinates> landing = lifted(model, c, height), leaving = lifted(model, swapped(c), height);
-  return {c, to_actuators(model, landing.value_or(c)), to_actuators(model, leaving.value_or(swapped(c))),
+  return {c,
+          to_actuators(model, landing.value_or(c)),
+          to_actuators(model, leaving.value_or(swapped(c))),
+          landing.has_value(),
+          leaving.has_value(),
           (landing ? 0.0 : kNoRoom) + (leaving ? 0.0 : kNoRoom)};
 }
 
@@ -69,13 +75,33 @@ std::vector<Stance> candidates(const Surroundings& around, Reachability& exact, 
     out.push_back(std::move(stance));
     if (out.size() == kCandidates) break;
   }
-  if (out.empty() && !free_foot_liftable(exact, pose, height)) {
-    reason = "the foot cannot be set down: at its place it cannot be lifted, reachability ends there";
-    return {};
-  }
-  if (out.empty() && !last && !holding_foot_liftable(exact, pose, height)) {
-    reason = "the other foot could not be lifted next: reachability ends there";
-    return {};
+  if (out.empty()) {
+    // At the border of the workspace the grid finds nothing; exact reachability does, from above.
+    const auto below = [&](const Coordinates& top, const Isometry3d& of) {
+      const std::optional<Coordinates> by_leg = lifted(model, top, -height);
+      return by_leg ? by_leg : inverse(model, of, branch_of(top), free_of(model, top));
+    };
+    const auto from_above = [&](const Surroundings& view, const Isometry3d& of) {
+      std::optional<Coordinates> stance;
+      exact.reach(of * Eigen::Translation3d(0.0, 0.0, height), [&](const Coordinates& top) {
+        stance = below(top, of);
+        if (stance && (judge_posture(view, top) || judge_posture(view, *stance))) stance.reset();
+        return stance.has_value();
+      });
+      return stance;
+    };
+    if (!free_foot_liftable(exact, pose, height)) {
+      reason = "the foot cannot be set down: at its place it cannot be lifted, reachability ends there";
+      return {};
+    }
+    if (!last && !holding_foot_liftable(exact, pose, height)) {
+      reason = "the other foot could not be lifted next: reachability ends there";
+      return {};
+    }
+    if (const auto stance = from_above(around, pose)) out.push_back(stance_of(model, *stance, height));
+    if (!last)
+      if (const auto stance = from_above(from_placed, pose.inverse(Eigen::Isometry)))
+        out.push_back(stance_of(model, swapped(*stance), height));
   }
   out.push_back(stance_of(model, given, height));
   return out;
@@ -161,7 +187,7 @@ class Chain {
     const bool hard = refused_[i] >= kPairs;
     const Coordinates from = i == 0 ? start_ : swapped(stances_[i][choice_[i]].coordinates);
     return move(around_[i], from, stances_[i + 1][choice_[i + 1]].coordinates, i > 0 || free_lifts_, options_,
-                {hard || i == 0, hard, hard}, random_);
+                {hard || i == 0 || !stances_[i][choice_[i]].leaves, hard || !stances_[i + 1][choice_[i + 1]].lands, hard}, random_);
   }
 
   // The cheapest choice of stances without blocked pairs; false if there is none.
