@@ -1,4 +1,5 @@
 // Simple polygons to convex pieces, by ear clipping.
+#include <array>
 #include <numeric>
 
 #include "truss/layout.hpp"
@@ -23,37 +24,41 @@ bool inside(const Vector2d& p, const Vector2d& a, const Vector2d& b, const Vecto
 
 }  // namespace
 
-std::vector<Polygon> convex_pieces(const Polygon& polygon) {
-  if (convex(polygon)) return {polygon};
+std::vector<std::array<std::size_t, 3>> triangulated(const Polygon& polygon) {
   std::vector<std::size_t> left(polygon.size());
   std::iota(left.begin(), left.end(), std::size_t{0});
-  std::vector<Polygon> pieces;
-  const auto ear = [&](std::size_t k) {
+  std::vector<std::array<std::size_t, 3>> triangles;
+  const auto corner = [&](std::size_t k) -> std::array<std::size_t, 3> {
     const std::size_t n = left.size();
-    const std::size_t ia = left[(k + n - 1) % n], ib = left[k], ic = left[(k + 1) % n];
-    const Vector2d &a = polygon[ia], &b = polygon[ib], &c = polygon[ic];
-    if (turn(a, b, c) <= 0.0) return false;
+    return {left[(k + n - 1) % n], left[k], left[(k + 1) % n]};
+  };
+  const auto turn_at = [&](std::size_t k) {
+    const auto [a, b, c] = corner(k);
+    return turn(polygon[a], polygon[b], polygon[c]);
+  };
+  const auto ear = [&](std::size_t k) {
+    if (turn_at(k) <= 0.0) return false;
+    const auto [a, b, c] = corner(k);
     for (const std::size_t other : left)
-      if (other != ia && other != ib && other != ic && inside(polygon[other], a, b, c)) return false;
+      if (other != a && other != b && other != c && inside(polygon[other], polygon[a], polygon[b], polygon[c])) return false;
     return true;
   };
-  while (left.size() > 3) {
+  while (left.size() > 2) {
     std::size_t k = 0;
     while (k < left.size() && !ear(k)) ++k;
-    const std::size_t n = left.size();
-    if (k == n) {
-      // Only corners on a straight line are left over: they bound nothing.
-      const auto straight = [&](std::size_t i) {
-        return turn(polygon[left[(i + n - 1) % n]], polygon[left[i]], polygon[left[(i + 1) % n]]) == 0.0;
-      };
-      for (k = 0; k + 1 < n && !straight(k);) ++k;
-    } else {
-      pieces.push_back({polygon[left[(k + n - 1) % n]], polygon[left[k]], polygon[left[(k + 1) % n]]});
-    }
+    if (k < left.size())
+      triangles.push_back(corner(k));
+    else  // only corners on a straight line are left over: they bound nothing
+      for (k = 0; k + 1 < left.size() && turn_at(k) != 0.0;) ++k;
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(k));
   }
-  if (turn(polygon[left[0]], polygon[left[1]], polygon[left[2]]) > 0.0)
-    pieces.push_back({polygon[left[0]], polygon[left[1]], polygon[left[2]]});
+  return triangles;
+}
+
+std::vector<Polygon> convex_pieces(const Polygon& polygon) {
+  if (convex(polygon)) return {polygon};
+  std::vector<Polygon> pieces;
+  for (const auto& [a, b, c] : triangulated(polygon)) pieces.push_back({polygon[a], polygon[b], polygon[c]});
   return pieces;
 }
 

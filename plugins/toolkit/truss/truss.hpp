@@ -59,8 +59,9 @@ Truss read_truss(const std::string& path);
 // `text` is what the file would hold.
 Truss parse_truss(const std::string& text);
 
-// STL, OBJ or PLY (m): coplanar triangles (1e-6 m, 1e-6 rad) that share edges become one face; the triangles themselves are the
-// solids. Throws InvalidScene.
+// STL, OBJ or PLY (m): coplanar triangles (1e-6 m) that share edges become one face ("face 1" and so on, by their first triangles);
+// the faces' convex pieces are the solids. Refused are files that are none, no triangles, degenerate ones, edges of more than two,
+// neighbours that disagree about the outer side. Throws InvalidScene whose field is such as "triangles[3]".
 Truss read_mesh(const std::string& path);
 
 // A unit vector that is perpendicular to `normal` and depends on it alone: the X axis of the face's frame of given faces and

@@ -1,0 +1,193 @@
+// Mesh files to triangles that can be relied on.
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <unordered_map>
+
+#include "foothold/errors.hpp"
+#include "truss/layout.hpp"
+#include "truss/triangle_mesh.hpp"
+
+namespace foothold::truss {
+namespace {
+
+constexpr double kFarthest = 1e4;      // m
+constexpr double kSame = 1e-6;         // m: vertices this near are one
+constexpr double kLeastHeight = 1e-6;  // m, of a triangle
+constexpr std::size_t kMostTriangles = 1000000;
+
+std::string triangle(std::size_t k) { return "triangles[" + std::to_string(k) + "]"; }
+
+// Finds vertices again that were there before.
+class Welder {
+ public:
+  explicit Welder(std::vector<Vector3d>& vertices) : vertices_(vertices) {}
+
+  int weld(const Vector3d& v) {
+    const std::array<std::int64_t, 3> home = cell(v);
+    for (std::int64_t x = -1; x <= 1; ++x)
+      for (std::int64_t y = -1; y <= 1; ++y)
+        for (std::int64_t z = -1; z <= 1; ++z) {
+          const auto [begin, end] = cells_.equal_range(hash({home[0] + x, home[1] + y, home[2] + z}));
+          for (auto at = begin; at != end; ++at)
+            if ((vertices_[static_cast<std::size_t>(at->second)] - v).norm() <= kSame) return at->second;
+        }
+    vertices_.push_back(v);
+    cells_.emplace(hash(home), static_cast<int>(vertices_.size()) - 1);
+    return static_cast<int>(vertices_.size()) - 1;
+  }
+
+ private:
+  static std::array<std::int64_t, 3> cell(const Vector3d& v) {
+    return {std::llround(v.x() / kSame), std::llround(v.y() / kSame), std::llround(v.z() / kSame)};
+  }
+  static std::uint64_t hash(const std::array<std::int64_t, 3>& cell) {
+    std::uint64_t out = 0;
+    for (const std::int64_t c : cell) out = (out ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15u + (out >> 29);
+    return out;
+  }
+
+  std::vector<Vector3d>& vertices_;
+  std::unordered_multimap<std::uint64_t, int> cells_;
+};
+
+void demand_height(const TriangleMesh& mesh, std::size_t k) {
+  const auto& corner = mesh.triangles[k];
+  const auto at = [&](std::size_t c) { return mesh.vertices[static_cast<std::size_t>(corner[c % 3])]; };
+  const double area = (at(1) - at(0)).cross(at(2) - at(0)).norm();
+  double longest = 0.0;
+  for (std::size_t c = 0; c < 3; ++c) longest = std::max(longest, (at(c + 1) - at(c)).norm());
+  if (!(area > kLeastHeight * longest)) throw InvalidScene(triangle(k), "is degenerate: its corners lie on one line within 1e-6 m");
+}
+
+// A face of a file may have more corners than three.
+void add_triangles(TriangleMesh& mesh, const std::vector<int>& corners) {
+  const auto at = [&](std::size_t k) -> const Vector3d& { return mesh.vertices[static_cast<std::size_t>(corners[k])]; };
+  std::vector<std::array<std::size_t, 3>> parts{{0, 1, 2}};
+  if (corners.size() > 3) {
+    Vector3d area = Vector3d::Zero();
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k) area += (at(k) - at(0)).cross(at(k + 1) - at(0));
+    const std::string here = triangle(mesh.triangles.size());
+    if (area.norm() < kLeastHeight * kLeastHeight) throw InvalidScene(here, "is degenerate: a polygon without area");
+    const Vector3d x = axis_in(area.normalized()), y = area.normalized().cross(x);
+    Polygon flat;
+    for (std::size_t k = 0; k < corners.size(); ++k) flat.emplace_back((at(k) - at(0)).dot(x), (at(k) - at(0)).dot(y));
+    if (geometry::first_crossing(flat)) throw InvalidScene(here, "is a polygon that crosses or touches itself");
+    parts = triangulated(flat);
+  }
+  for (const auto& part : parts) {
+    if (mesh.triangles.size() == kMostTriangles) throw InvalidScene("triangles", "are more than 1000000");
+    mesh.triangles.push_back({corners[part[0]], corners[part[1]], corners[part[2]]});
+    demand_height(mesh, mesh.triangles.size() - 1);
+  }
+}
+
+void find_neighbours(TriangleMesh& mesh) {
+  struct Side {
+    std::size_t triangle, corner;
+  };
+  std::map<std::array<int, 2>, std::vector<Side>> edges;  // by the lower vertex first
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int a = mesh.triangles[k][c], b = mesh.triangles[k][(c + 1) % 3];
+      edges[{std::min(a, b), std::max(a, b)}].push_back({k, c});
+    }
+  mesh.neighbours.assign(mesh.triangles.size(), {-1, -1, -1});
+  for (const auto& [edge, sides] : edges) {
+    if (sides.size() == 1) continue;
+    const Side &s = sides[0], &t = sides[1];
+    if (sides.size() > 2)
+      throw InvalidScene(triangle(sides[2].triangle), "shares an edge with " + triangle(s.triangle) + " and " +
+                                                          triangle(t.triangle) + ": an edge has two triangles at the most");
+    if (mesh.triangles[s.triangle][s.corner] == mesh.triangles[t.triangle][t.corner])
+      throw InvalidScene(triangle(t.triangle),
+                         "and its neighbour " + triangle(s.triangle) +
+                             " disagree about the outer side: they run along their common edge in the same direction");
+    mesh.neighbours[s.triangle][s.corner] = static_cast<int>(t.triangle);
+    mesh.neighbours[t.triangle][t.corner] = static_cast<int>(s.triangle);
+  }
+}
+
+// The library never comes back from a PLY file that ends too early or promises more than it holds.
+void demand_whole_ply(const std::string& text) {
+  std::istringstream lines(text);
+  std::size_t promised = 0;
+  bool ascii = false, whole = false;
+  for (std::string line; !whole && std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string first, second;
+    words >> first >> second;
+    std::size_t count = 0;
+    if (first == "format") ascii = second == "ascii";
+    if (first == "element" && (!(words >> count) || count > text.size()))
+      throw InvalidScene("", "the mesh promises more of '" + second + "' than the file can hold");
+    promised += count;
+    whole = first == "end_header";
+  }
+  if (!whole) throw InvalidScene("", "the mesh's header has no end");
+  std::size_t there = 0;
+  if (ascii)
+    for (std::string line; std::getline(lines, line);) there += line.find_first_not_of(" \t\r") != std::string::npos ? 1 : 0;
+  else
+    there = lines.good() ? text.size() - static_cast<std::size_t>(lines.tellg()) : 0;
+  if (there < promised)
+    throw InvalidScene("", "the mesh ends early: " + std::to_string(promised) + " elements are promised, there is room for " +
+                               std::to_string(there));
+}
+
+std::string ending(const std::string& path) {
+  const std::size_t dot = path.find_last_of("./");
+  std::string out = dot == std::string::npos || path[dot] == '/' ? "" : path.substr(dot + 1);
+  for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return out;
+}
+
+}  // namespace
+
+TriangleMesh read_triangles(const std::string& path) {
+  const std::string format = ending(path);
+  if (format != "stl" && format != "obj" && format != "ply")
+    throw InvalidScene("", "a mesh is a file .stl, .obj or .ply, is '" + format + "'");
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  if (!file || !(bytes << file.rdbuf())) throw InvalidScene("", "the scene file cannot be read");
+  const std::string text = std::move(bytes).str();
+
+  if (format == "ply") demand_whole_ply(text);
+  Assimp::Importer importer;
+  // From memory, so that no other file is opened, whatever this one names.
+  const aiScene* scene = importer.ReadFileFromMemory(text.data(), text.size(), 0, format.c_str());
+  if (scene == nullptr) throw InvalidScene("", std::string("the mesh cannot be read: ") + importer.GetErrorString());
+  TriangleMesh mesh;
+  Welder welder(mesh.vertices);
+  std::vector<int> corners;
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
+    const aiMesh& part = *scene->mMeshes[m];
+    for (unsigned f = 0; f < part.mNumFaces; ++f) {
+      const aiFace& face = part.mFaces[f];
+      const std::string here = triangle(mesh.triangles.size());
+      if (face.mNumIndices < 3) throw InvalidScene(here, "is a point or a line, no triangle");
+      corners.clear();
+      for (unsigned c = 0; c < face.mNumIndices; ++c) {
+        if (face.mIndices[c] >= part.mNumVertices) throw InvalidScene(here, "names a vertex that is not there");
+        const aiVector3D& at = part.mVertices[face.mIndices[c]];
+        const Vector3d v(at.x, at.y, at.z);
+        if (!v.allFinite() || v.cwiseAbs().maxCoeff() > kFarthest)
+          throw InvalidScene(here, "has a corner that is not finite or beyond 10000 m");
+        corners.push_back(welder.weld(v));
+      }
+      add_triangles(mesh, corners);
+    }
+  }
+  if (mesh.triangles.empty()) throw InvalidScene("triangles", "there are none");
+  find_neighbours(mesh);
+  return mesh;
+}
+
+}  // namespace foothold::truss
