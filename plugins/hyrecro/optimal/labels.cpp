@@ -57,8 +57,10 @@ void Labels::settle_fully(int state) {
 void Labels::expand(const Entry& entry) {
   const int node = entry.state / 2;
   if (entry.state % 2 == 0) {
-    for (const RouteGraph::Transition& transition : graph_.transitions(node))
-      relax(2 * transition.to + 1, entry.first + transition.cost.first);
+    const bool counts = graph_.counts();
+    for (const auto part : graph_.transitions(node))
+      for (const RouteGraph::Transition& transition : part)
+        relax(2 * transition.to + 1, entry.first + (counts ? 1.0 : graph_.cost(node, transition).first));
     return;
   }
   // By the triangle inequality whoever comes to walk on from here by a leg does not do worse by going there at once.
@@ -80,10 +82,11 @@ double Labels::second(int state) {
     return final_[at(next)] && std::fabs(step + first_[at(next)] - first_[at(state)]) <= kTight;
   };
   if (state % 2 == 1) {
-    const auto there = graph_.transitions(node);
-    for (const RouteGraph::Transition& transition : std::vector<RouteGraph::Transition>(there.begin(), there.end()))
-      if (tight(transition.cost.first, 2 * transition.to))
-        best = std::min(best, transition.cost.second + second(2 * transition.to));
+    for (const auto part : graph_.transitions(node))
+      for (const RouteGraph::Transition& transition : part) {
+        const Cost cost = graph_.cost(node, transition);
+        if (tight(cost.first, 2 * transition.to)) best = std::min(best, cost.second + second(2 * transition.to));
+      }
   } else {
     const std::span<const int> there = graph_.on_face(graph_.face_of(node));
     std::vector<Cost> bounds(there.size());

@@ -119,34 +119,44 @@ void TransitionLists::list(int index) {
 }
 
 void TransitionLists::pair(const Line& from, const Line& to) {
-  const bool parallel = from.along.cross(to.along).squaredNorm() < kSame * kSame;
-  const double side = from.along.dot(to.along) < 0.0 ? -1.0 : 1.0;
-  // The other line seen from the foothold at the place 0 of this one.
-  const Vector3d offset = from.axes.transpose() * (to.origin - from.origin);
+  const Eigen::Matrix3d back = from.axes.transpose();
+  // The other line seen from the foothold at the place 0 of this one, whose own line is the Y axis.
+  const Vector3d offset = back * (to.origin - from.origin), along = back * to.along;
+  const ReachFilter::Turn turn = filter_->turn(back * to.axes);
+  if (turn.ways.empty()) return;
+  const bool parallel = std::hypot(along.x(), along.z()) < kSame;
+  const double apart = std::min(filter_->apart(), reach_ + turn.ball.norm());
   Isometry3d seen = Isometry3d::Identity();
-  seen.linear() = from.axes.transpose() * to.axes;
-  const Vector3d along = from.axes.transpose() * to.along;
+  seen.linear() = back * to.axes;
   std::vector<std::pair<std::int32_t, int>> judged;  // by the distance along parallel lines: kind, -1: out of reach
-  const double shift = from.along.dot(to.origin - from.origin);
-  const double across = parallel ? (offset - Vector3d(0.0, shift, 0.0)).norm() : 0.0;
-  if (across > reach_) return;
-  const double range = std::sqrt(reach_ * reach_ - across * across);
   for (std::size_t a = 0; a < from.footholds.size(); ++a) {
-    for (std::size_t b = 0; b < to.footholds.size(); ++b) {
-      const double distance = shift + side * to.places[b] - from.places[a];
-      if (parallel && std::fabs(distance) > range) continue;
-      seen.translation() = offset + to.places[b] * along - Vector3d(0.0, from.places[a], 0.0);
-      int kind = -1;
-      const std::int32_t key = rounded(distance);
+    // Where the other line is within the ball, and beside this foothold by no more than a singular pose may be.
+    const Vector3d base = offset - Vector3d(0.0, from.places[a], 0.0), middle = base + turn.ball;
+    const double half = middle.dot(along), root = half * half - middle.squaredNorm() + apart * apart;
+    if (root < 0.0) continue;
+    double low = -half - std::sqrt(root), high = -half + std::sqrt(root);
+    if (turn.singular && parallel) {
+      const double beside = -base.y() * along.y();
+      low = std::max(low, beside - filter_->aside() - kSame);
+      high = std::min(high, beside + filter_->aside() + kSame);
+    }
+    const auto begin = std::lower_bound(to.places.begin(), to.places.end(), low);
+    for (auto place = begin; place != to.places.end() && *place <= high; ++place) {
+      seen.translation() = base + *place * along;
+      const std::int32_t key = rounded(seen.translation().y());
       const auto known =
           parallel ? std::find_if(judged.begin(), judged.end(), [key](const auto& j) { return j.first == key; }) : judged.end();
+      int kind = -1;
       if (known != judged.end()) {
         kind = known->second;
       } else {
-        if (filter_->may_reach(seen)) kind = kind_of(seen);
+        if (filter_->may_reach(turn, seen.translation())) kind = kind_of(seen);
         if (parallel) judged.emplace_back(key, kind);
       }
-      if (kind >= 0) lists_[at(from.footholds[a])].push_back({to.footholds[b], kind, seen.translation().norm()}), ++entries_;
+      if (kind < 0) continue;
+      lists_[at(from.footholds[a])].push_back(
+          {to.footholds[static_cast<std::size_t>(place - to.places.begin())], kind, seen.translation().norm()});
+      ++entries_;
     }
   }
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hyrecro/optimal/reach_filter.hpp"
+#include "hyrecro/optimal/search.hpp"
 #include "hyrecro/scene/transitions.hpp"
 
 namespace foothold::hyrecro {
@@ -20,11 +21,7 @@ class TransitionLists {
   // `reach`: no two soles are further apart, m. Borrows all of them.
   TransitionLists(const Transitions& transitions, const ReachFilter& filter, double reach);
 
-  struct Entry {
-    int to = -1;
-    int kind = -1;
-    double distance = 0.0;  // m, between the soles
-  };
+  using Entry = RouteGraph::Transition;
   // Of one transition foothold; what exclude() took out is not in it. Valid until the next call of anything here.
   const std::vector<Entry>& of(int foothold);
   // They are out of reach of each other after all, and all that are alike.

@@ -71,8 +71,9 @@ const ReachFilter::Shifts* ReachFilter::of_lean(double psi) const {
 }
 
 // The second sole stands `rise` higher along the plate's normal than the first, and at `place` across it; each known to `slack`.
-bool ReachFilter::level(const Shifts* first, const Shifts* second, double rise, const Vector2d& place, const Vector2d& e0,
-                        const Vector2d& e1, double slack) const {
+bool ReachFilter::level(const Turn::Way& way, double rise, const Vector2d& place, double slack) const {
+  const Shifts *first = way.first, *second = way.second;
+  const Vector2d e0 = Vector2d::UnitX(), e1 = way.e1;
   const int least_down = static_cast<int>(std::floor((rise - slack) / kHeightStep));
   const int most_down = static_cast<int>(std::floor((rise + slack) / kHeightStep)) + 1;
   for (int i = 0; i < heights_; ++i) {
@@ -100,38 +101,53 @@ bool ReachFilter::level(const Shifts* first, const Shifts* second, double rise, 
   return false;
 }
 
-bool ReachFilter::may_reach(const Isometry3d& free_in_holding) const {
-  const PaperPose pose(free_in_holding);
-  if (pose.p.squaredNorm() > reach_ * reach_) return false;
-  const Matrix3d& r = pose.r;
-  const double apart = 2.0 * ball_radius_ + hip_distance_;
-  if ((pose.p + ball_height_ * (r.col(1) - Vector3d::UnitY())).squaredNorm() > apart * apart) return false;
-  // Leaning by psi, leg j's plane holds n(psi), the plate's normal, and e = (cos psi, sin psi), in which s is measured.
-  const auto try_leans = [&](double psi0, double psi1, double cell0, double slack) {
+// Leaning by psi, leg j's plane holds n(psi), the plate's normal, and e = (cos psi, sin psi), in which s is measured.
+ReachFilter::Turn ReachFilter::turn(const Eigen::Matrix3d& orientation) const {
+  Isometry3d wire = Isometry3d::Identity();
+  wire.linear() = orientation;
+  const Matrix3d r = PaperPose(wire).r;
+  Turn out;
+  out.singular = singular(wire);
+  out.ball = ball_height_ * (orientation.col(2) - Vector3d::UnitZ());
+  const auto add = [&](double psi0, double psi1, double cell0) {
     const Shifts *first = of_lean(cell0), *second = of_lean(psi1);
-    if (first == nullptr || second == nullptr) return false;
+    if (first == nullptr || second == nullptr) return;
     const Vector3d normal(-std::sin(psi0), std::cos(psi0), 0.0), x(std::cos(psi0), std::sin(psi0), 0.0);
     const Vector3d e1 = r * Vector3d(std::cos(psi1), std::sin(psi1), 0.0);
-    return level(first, second, normal.dot(pose.p), {x.dot(pose.p), pose.p.z()}, {1.0, 0.0}, {x.dot(e1), e1.z()}, slack);
+    out.ways.push_back({first, second, normal, x, {x.dot(e1), e1.z()}});
   };
-  if (!singular(free_in_holding)) {
+  if (!out.singular) {
     for (const double s1 : {1.0, -1.0}) {
       const double psi0 = std::atan2(s1 * r(1, 2), s1 * r(0, 2)), c = std::cos(psi0), s = std::sin(psi0);
-      if (try_leans(psi0, std::atan2(-(c * r(1, 0) - s * r(0, 0)), c * r(1, 1) - s * r(0, 1)), psi0, 0.0)) return true;
+      add(psi0, std::atan2(-(c * r(1, 0) - s * r(0, 0)), c * r(1, 1) - s * r(0, 1)), psi0);
     }
-    return false;
+    return out;
   }
-  if (std::fabs(pose.p.z()) > hip_distance_) return false;
   const int leans = static_cast<int>(table_.size()) / heights_;
-  const double slack = 0.5 * kLeanStep * std::hypot(pose.p.x(), pose.p.y());
   for (int i = 0; i < leans; ++i) {
     const double psi1 = (i - leans / 2) * kLeanStep, c = std::cos(psi1), s = std::sin(psi1);
     const double psi0 = std::atan2(r(0, 0) * s - r(0, 1) * c, r(1, 1) * c - r(1, 0) * s);
     // Within a cell of psi1 psi0 turns by as much, and what is seen along the plate's normal with it.
-    for (const double side : {-0.5, 0.5})
-      if (try_leans(psi0, psi1, psi0 + side * kLeanStep, slack)) return true;
+    for (const double side : {-0.5, 0.5}) add(psi0, psi1, psi0 + side * kLeanStep);
   }
-  return false;
+  return out;
+}
+
+bool ReachFilter::may_reach(const Turn& turn, const Vector3d& place) const {
+  if (place.squaredNorm() > reach_ * reach_ || (place + turn.ball).squaredNorm() > apart() * apart()) return false;
+  if (turn.singular && std::fabs(place.y()) > hip_distance_) return false;
+  const Vector3d p(place.x(), place.z(), -place.y());  // paper's axes
+  const double slack = turn.singular ? 0.5 * kLeanStep * std::hypot(p.x(), p.y()) : 0.0;
+  return std::any_of(turn.ways.begin(), turn.ways.end(), [&](const Turn::Way& way) {
+    return level(way, way.normal.dot(p), {way.x.dot(p), p.z()}, slack);
+  });
+}
+
+bool ReachFilter::may_reach(const Isometry3d& free_in_holding) const {
+  const Vector3d place = free_in_holding.translation();
+  const Vector3d ball = place + ball_height_ * (free_in_holding.linear().col(2) - Vector3d::UnitZ());
+  if (ball.squaredNorm() > apart() * apart()) return false;
+  return may_reach(turn(free_in_holding.linear()), place);
 }
 
 }  // namespace foothold::hyrecro

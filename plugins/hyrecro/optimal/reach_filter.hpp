@@ -24,9 +24,29 @@ class ReachFilter {
   struct Shifts {
     double low = 1.0, high = -1.0;  // m; empty: low > high
   };
+
+ public:
+  // What depends on the free sole's orientation alone. Without ways nothing can be reached.
+  struct Turn {
+    struct Way {  // one pair of leans
+      const Shifts *first, *second;
+      Vector3d normal, x;  // of the hip plate; along leg 0's shifts
+      Eigen::Vector2d e1;  // along leg 1's, in the plate's plane
+    };
+    bool singular = false;
+    std::vector<Way> ways;
+    Vector3d ball = Vector3d::Zero();  // m: must be added to the place for what must be nearer than apart()
+  };
+  Turn turn(const Eigen::Matrix3d& orientation) const;
+  // `place` of the free sole seen from the other, m.
+  bool may_reach(const Turn& turn, const Vector3d& place) const;
+  double apart() const { return 2.0 * ball_radius_ + hip_distance_; }
+  // As far along the soles' Y axes may singular poses lie apart, m.
+  double aside() const { return hip_distance_; }
+
+ private:
   const Shifts* of_lean(double psi) const;  // by height; null: no leg leans so much
-  bool level(const Shifts* first, const Shifts* second, double rise, const Eigen::Vector2d& place, const Eigen::Vector2d& e0,
-             const Eigen::Vector2d& e1, double slack) const;
+  bool level(const Turn::Way& way, double rise, const Eigen::Vector2d& place, double slack) const;
 
   double hip_distance_, reach_ = 0.0;
   double ball_height_ = 0.0, ball_radius_ = 0.0;  // m: each hip axis lies in a ball over its sole, so high above it

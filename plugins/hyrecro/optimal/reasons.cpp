@@ -38,15 +38,17 @@ class Flood {
   void spread(int face) {
     const int from = entry(face);
     for (const int node : graph_.on_face(face)) {
-      const auto wanted = [&](const RouteGraph::Transition& t) { return !entered(graph_.face_of(t.to)); };
-      const auto list = graph_.transitions(node);
-      if (std::none_of(list.begin(), list.end(), wanted) || stop_.stop_requested() || left_ <= 0) continue;
-      if (node != from && graph_.leg(from, node, false) == kNever) continue;
+      if (stop_.stop_requested() || left_ <= 0) return;
+      std::vector<int> beyond;
+      for (const auto part : graph_.transitions(node))
+        for (const RouteGraph::Transition& transition : part)
+          if (!entered(graph_.face_of(transition.to))) beyond.push_back(transition.to);
+      if (beyond.empty() || (node != from && graph_.leg(from, node, false) == kNever)) continue;
       walked_ = walked_ || node != from;
-      for (const RouteGraph::Transition& transition : list)
-        if (wanted(transition) && --left_ > 0 && graph_.transition(node, transition.to)) {
+      for (const int to : beyond)
+        if (!entered(graph_.face_of(to)) && --left_ > 0 && graph_.transition(node, to)) {
           walked_ = true;
-          enter(transition.to);
+          enter(to);
         }
     }
   }

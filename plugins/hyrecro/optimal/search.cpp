@@ -85,9 +85,10 @@ class Forward {
   void expand(const Entry& entry) {
     const int node = entry.state / 2;
     if (entry.state % 2 == 1) {
-      for (const RouteGraph::Transition& transition : graph_.transitions(node))
-        if (parent_[2 * static_cast<std::size_t>(transition.to)] == -2)
-          push(entry.cost + transition.cost, 2 * transition.to, entry.state, false);
+      for (const auto part : graph_.transitions(node))
+        for (const RouteGraph::Transition& transition : part)
+          if (parent_[2 * static_cast<std::size_t>(transition.to)] == -2)
+            push(entry.cost + graph_.cost(node, transition), 2 * transition.to, entry.state, false);
       return;
     }
     if (arrived_.empty()) arrived_.resize(static_cast<std::size_t>(graph_.nodes()), kNever);

@@ -7,6 +7,7 @@
 // transition is evaluated only when its end is about to be settled.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -30,7 +31,8 @@ class RouteGraph {
  public:
   struct Transition {
     int to = -1;
-    Cost cost;
+    int kind = -1;          // the graph's own
+    double distance = 0.0;  // m, between the two
   };
   virtual ~RouteGraph() = default;
   virtual int nodes() const = 0;
@@ -45,8 +47,11 @@ class RouteGraph {
   // What is known to be possible, or to be impossible (kNever); never less than the bound. `proved`: what no leg can be cheaper
   // than.
   virtual Cost leg(int from, int to, bool proved) = 0;
-  // Transitions that may be possible; symmetric. Valid until the next call.
-  virtual std::span<const Transition> transitions(int node) = 0;
+  // Transitions that may be possible, in two parts; symmetric. Valid until the next call.
+  virtual std::array<std::span<const Transition>, 2> transitions(int node) = 0;
+  virtual Cost cost(int node, const Transition& transition) const = 0;
+  // The first component counts strides: 1 for each transition.
+  virtual bool counts() const = 0;
   virtual bool transition(int from, int to) = 0;
   // Lower bounds of everything from the start to `node`, of the first component (consistent), and of everything from `node` to the
   // goal, of the second.

@@ -95,7 +95,7 @@ Vector3d TrussGraph::place(int node) const {
   return node < samples_ ? kept_.places[static_cast<std::size_t>(node)] : own_places_[static_cast<std::size_t>(node - samples_)];
 }
 
-Cost TrussGraph::cost(int strides, double length) const {
+Cost TrussGraph::of(int strides, double length) const {
   return options_.objective == Objective::kSteps ? Cost{static_cast<double>(strides), length}
                                                  : Cost{length, static_cast<double>(strides)};
 }
@@ -116,7 +116,7 @@ void TrussGraph::leg_bounds(int node, std::span<Cost> out) {
   const std::vector<std::uint8_t>* row = node < samples_ ? &kept_.row(node) : nullptr;
   const Vector3d from = place(node);
   for (std::size_t i = 0; i < there.size(); ++i)
-    out[i] = there[i] == node ? Cost{} : cost(least(node, row, i, there[i]), (place(there[i]) - from).norm());
+    out[i] = there[i] == node ? Cost{} : of(least(node, row, i, there[i]), (place(there[i]) - from).norm());
 }
 
 void TrussGraph::leg_firsts(int node, std::span<double> out) {
@@ -163,7 +163,7 @@ const KeptTruss::Leg& TrussGraph::walk(int from, int to) {
 
 Cost TrussGraph::leg(int from, int to, bool proved) {
   const KeptTruss::Leg& leg = walk(from, to);
-  if (proved) return cost(leg.least, (at(to).at - at(from).at).norm());
+  if (proved) return of(leg.least, (at(to).at - at(from).at).norm());
   if (!leg.found) return kNever;
   double length = 0.0;
   Vector2d before = at(from).at;
@@ -172,7 +172,7 @@ Cost TrussGraph::leg(int from, int to, bool proved) {
     before = stride.to.at;
   }
   const double straight = (at(to).at - at(from).at).norm();
-  return cost(static_cast<int>(leg.strides.size()), length < straight + kSameLength ? straight : length);
+  return of(static_cast<int>(leg.strides.size()), length < straight + kSameLength ? straight : length);
 }
 
 // `end`: start or goal. What may be reached from it, and it from there.
@@ -180,22 +180,23 @@ void TrussGraph::list_own(int end) {
   const Isometry3d back = pose(end).inverse(Eigen::Isometry);
   const auto connect = [&](int to) {
     if (face_of(to) == face_of(end) || !kept_.filter.may_reach(back * pose(to))) return;
-    const Cost length = cost(1, (place(to) - place(end)).norm() + preference(to) + preference(end));
-    own_lists_[end].push_back({to, length});
-    own_lists_[to].push_back({end, length});
+    const double distance = (place(to) - place(end)).norm();
+    own_lists_[end].push_back({to, -1, distance});
+    own_lists_[to].push_back({end, -1, distance});
   };
   for (const int to : scene_.transitions.near(place(end), kept_.strides.bounds().transition_reach(), face_of(end))) connect(to);
   if (end == goal()) connect(start());
 }
 
-std::span<const RouteGraph::Transition> TrussGraph::transitions(int node) {
-  list_.clear();
-  if (node < samples_)
-    for (const TransitionLists::Entry& entry : kept_.lists.of(node))
-      list_.push_back({entry.to, cost(1, entry.distance + preference(node) + preference(entry.to))});
-  if (const auto own = own_lists_.find(node); own != own_lists_.end())
-    list_.insert(list_.end(), own->second.begin(), own->second.end());
-  return list_;
+std::array<std::span<const RouteGraph::Transition>, 2> TrussGraph::transitions(int node) {
+  std::array<std::span<const Transition>, 2> out;
+  if (node < samples_) out[0] = kept_.lists.of(node);
+  if (const auto own = own_lists_.find(node); own != own_lists_.end()) out[1] = own->second;
+  return out;
+}
+
+Cost TrussGraph::cost(int node, const Transition& transition) const {
+  return of(1, transition.distance + preference(node) + preference(transition.to));
 }
 
 // What is found impossible leaves the lists.

@@ -60,7 +60,9 @@ class TrussGraph final : public RouteGraph {
   std::span<const int> on_face(int face) const override;
   void leg_bounds(int node, std::span<Cost> out) override;
   Cost leg(int from, int to, bool proved) override;
-  std::span<const Transition> transitions(int node) override;
+  std::array<std::span<const Transition>, 2> transitions(int node) override;
+  Cost cost(int node, const Transition& transition) const override;
+  bool counts() const override { return options_.objective == Objective::kSteps; }
   bool transition(int from, int to) override;
   void leg_firsts(int node, std::span<double> out) override;
   double from_start(int node) override;
@@ -71,7 +73,7 @@ class TrussGraph final : public RouteGraph {
   std::vector<Stride> strides_of(const Hop& hop);
 
  private:
-  Cost cost(int strides, double length) const;
+  Cost of(int strides, double length) const;
   Vector3d place(int node) const;
   Isometry3d pose(int node) const;
   const KeptTruss::Leg& walk(int from, int to);
@@ -89,7 +91,6 @@ class TrussGraph final : public RouteGraph {
   std::vector<int> start_face_, goal_face_;                       // nodes there, with start and goal
   std::array<Vector3d, 2> own_places_;                            // of start and goal
   std::unordered_map<int, std::vector<Transition>> own_lists_;    // of start and goal; of footholds: those two alone
-  std::vector<Transition> list_;                                  // the last one asked for
   std::unordered_map<std::uint64_t, KeptTruss::Leg> own_walked_;  // with start, goal or bans
   std::unordered_map<std::uint64_t, std::optional<Coordinates>> own_judged_;
 };

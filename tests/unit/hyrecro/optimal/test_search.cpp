@@ -28,9 +28,9 @@ class RandomGraph final : public RouteGraph {
           legs_[{a, b}] = legs_[{b, a}] = some(8) == 0 ? kNever : bound(a, b) + Cost{more, 0.0};
           proved_[{a, b}] = proved_[{b, a}] = some(2) == 0 && !(legs_[{a, b}] == kNever) ? legs_[{a, b}] : bound(a, b);
         } else if (some(14) == 0) {
-          const Cost cost{1.0, static_cast<double>(1 + some(3))};
-          lists_[index(a)].push_back({b, cost});
-          lists_[index(b)].push_back({a, cost});
+          const double distance = 1 + some(3);
+          lists_[index(a)].push_back({b, -1, distance});
+          lists_[index(b)].push_back({a, -1, distance});
           possible_[{a, b}] = possible_[{b, a}] = some(3) > 0;
         }
       }
@@ -46,7 +46,12 @@ class RandomGraph final : public RouteGraph {
     for (std::size_t i = 0; i < there.size(); ++i) out[i] = bound(node, there[i]);
   }
   Cost leg(int from, int to, bool proved) override { return proved ? proved_.at({from, to}) : legs_.at({from, to}); }
-  std::span<const Transition> transitions(int node) override { return lists_[index(node)]; }
+  std::array<std::span<const Transition>, 2> transitions(int node) override {
+    const std::span<const Transition> all = lists_[index(node)];
+    return {all.first(all.size() / 2), all.subspan(all.size() / 2)};
+  }
+  Cost cost(int, const Transition& transition) const override { return {1.0, transition.distance}; }
+  bool counts() const override { return true; }
   bool transition(int from, int to) override { return possible_.at({from, to}); }
   void leg_firsts(int node, std::span<double> out) override {
     const auto there = on_face(face_of(node));
@@ -70,7 +75,7 @@ class RandomGraph final : public RouteGraph {
             relax(departing[index(b)], arrived[index(a)] + (a == b ? Cost{} : (lower ? proved_ : legs_).at({a, b})));
         if (!(departing[index(a)] == kNever))
           for (const Transition& t : lists_[index(a)])
-            if (possible_.at({a, t.to})) relax(arrived[index(t.to)], departing[index(a)] + t.cost);
+            if (possible_.at({a, t.to})) relax(arrived[index(t.to)], departing[index(a)] + cost(a, t));
       }
     }
     return departing[index(goal())];
@@ -88,7 +93,7 @@ class RandomGraph final : public RouteGraph {
       }
       EXPECT_TRUE(possible_.at({hop.from, hop.to}));
       for (const Transition& t : lists_[index(hop.from)])
-        if (t.to == hop.to) out = out + t.cost;
+        if (t.to == hop.to) out = out + cost(hop.from, t);
     }
     EXPECT_EQ(at, goal());
     return out;
