@@ -153,6 +153,7 @@ FaceWalk walk_face(const Walker& w, const SafeGround& ground, const Foothold& fr
     return walk;
   }
   const PlanarWorkspace& workspace = w.order.workspace();
+  const double r_max = w.options.r_max > 0.0 ? w.options.r_max : workspace.r_max();
   const double rounds = 8.0 + 2.0 * geometry::length_of(walk.way) / workspace.r_opt();
   Foothold current = from;
   while (static_cast<double>(walk.strides.size()) < rounds) {
@@ -161,7 +162,7 @@ FaceWalk walk_face(const Walker& w, const SafeGround& ground, const Foothold& fr
       return walk;
     }
     const double d = (to.at - current.at).norm();
-    const double r = std::min(workspace.r_max(), d - workspace.r_opt());
+    const double r = std::min(r_max, d - workspace.r_opt());
     if (r < w.order.least_reach()) {
       if (const auto two = by_optimal_circle(w, ground, current, to)) {
         walk.strides.insert(walk.strides.end(), two->begin(), two->end());

@@ -18,6 +18,7 @@ struct PaperOptions {
   FaceWay way = FaceWay::kVisibility;
   double safe_inset = 0.07;   // m, of the "safe" polygon
   double least_dot = 0.998;   // eps of algorithm 2: u_cand . u_best must be at least this
+  double r_max = 0.0;         // m, of algorithm 1; 0: the workspace's
   double reach_radius = 0.0;  // m, of the k-d tree query; 0: from the model
 };
 

@@ -132,7 +132,9 @@ double PolygonPaths::length(const Vector2d& from, const Vector2d& to) const { re
 std::vector<Vector2d> PolygonPaths::path(const Vector2d& from, const Vector2d& to) const {
   const Bends bends = shortest(from, to);
   if (!std::isfinite(bends.length)) return {};
-  std::vector<Vector2d> out{from};
+  std::vector<Vector2d> out;
+  out.reserve(8);
+  out.push_back(from);
   const auto append = [&](const Vector2d& point) {
     if ((point - out.back()).norm() > kOnBoundary) out.push_back(point);
   };
