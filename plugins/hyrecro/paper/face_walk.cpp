@@ -66,7 +66,7 @@ bool on_grid(const PlanarWorkspace& workspace, const Foothold& current, const Fo
 
 // The additional foothold, from which the destination is reached: as near as can be to the circle of r_opt round it, heading there.
 std::optional<std::array<Stride, 2>> by_optimal_circle(const Walker& w, const SafeGround& ground, const Foothold& current,
-                                                       const Foothold& to) {
+                                                       const Foothold& to, const std::stop_token& stop) {
   const PlanarWorkspace& workspace = w.order.workspace();
   struct Candidate {
     double off;  // m, from the circle
@@ -80,6 +80,7 @@ std::optional<std::array<Stride, 2>> by_optimal_circle(const Walker& w, const Sa
   std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.off < b.off; });
   std::optional<std::array<Stride, 2>> found;
   for (const Candidate& candidate : candidates) {
+    if (stop.stop_requested()) break;
     const Vector2d ahead = to.at - placed(w.order, current, *candidate.cell, 0).at;
     const double wanted = std::atan2(ahead.y(), ahead.x()) - current.heading;
     const bool taken = headings_from(workspace, *candidate.cell, wanted, [&](int heading) {
@@ -164,9 +165,13 @@ FaceWalk walk_face(const Walker& w, const SafeGround& ground, const Foothold& fr
     const double d = (to.at - current.at).norm();
     const double r = std::min(r_max, d - workspace.r_opt());
     if (r < w.order.least_reach()) {
-      if (const auto two = by_optimal_circle(w, ground, current, to)) {
+      if (const auto two = by_optimal_circle(w, ground, current, to, stop)) {
         walk.strides.insert(walk.strides.end(), two->begin(), two->end());
         walk.outcome = FaceWalk::Outcome::kReached;
+        return walk;
+      }
+      if (stop.stop_requested()) {
+        walk.outcome = FaceWalk::Outcome::kStopped;
         return walk;
       }
       walk.stuck = "from " + in_words(w, current) + " no additional foothold leads to " + in_words(w, to);
