@@ -13,7 +13,7 @@ std::size_t at(int state) { return static_cast<std::size_t>(state); }
 }  // namespace
 
 Labels::Labels(RouteGraph& graph, std::size_t max_settled, const std::stop_token& stop)
-    : graph_(graph), max_settled_(max_settled), stop_(stop) {
+    : graph_(graph), counts_(graph.counts()), max_settled_(max_settled), stop_(stop) {
   const std::size_t states = 2 * static_cast<std::size_t>(graph.nodes());
   first_.assign(states, kNever.first);
   second_.assign(states, -1.0);
@@ -22,9 +22,24 @@ Labels::Labels(RouteGraph& graph, std::size_t max_settled, const std::stop_token
 }
 
 void Labels::relax(int state, double first) {
-  if (final_[at(state)] || !(first < first_[at(state)])) return;
+  if (!(first < first_[at(state)]) || final_[at(state)]) return;
   first_[at(state)] = first;
-  queue_.push({first + graph_.from_start(state / 2), first, state});
+  const Entry entry{first + graph_.from_start(state / 2), first, state};
+  ++waiting_;
+  if (!counts_) {
+    queue_.push(entry);
+    return;
+  }
+  const auto bucket = static_cast<std::size_t>(entry.total);
+  if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
+  buckets_[bucket].push_back(entry);
+}
+
+// Precondition: not empty().
+double Labels::least_total() {
+  if (!counts_) return queue_.top().total;
+  while (buckets_[bucket_].empty()) ++bucket_;
+  return static_cast<double>(bucket_);
 }
 
 void Labels::settle(int state) {
@@ -34,10 +49,14 @@ void Labels::settle(int state) {
 // False: nothing is left to do, or no more must be done.
 bool Labels::step() {
   if (stop_.stop_requested()) stopped_ = true;
-  if (queue_.empty() || stopped_ || settled_ > max_settled_) return false;
-  const Entry entry = queue_.top();
-  queue_.pop();
-  frontier_ = entry.total;
+  if (empty() || stopped_ || settled_ > max_settled_) return false;
+  frontier_ = least_total();
+  const Entry entry = counts_ ? buckets_[bucket_].back() : queue_.top();
+  if (counts_)
+    buckets_[bucket_].pop_back();
+  else
+    queue_.pop();
+  --waiting_;
   if (final_[at(entry.state)]) return true;
   final_[at(entry.state)] = 1;
   ++settled_;
@@ -50,17 +69,16 @@ void Labels::settle_fully(int state) {
   if (!final_[at(state)]) return;
   // States as good as the last one may lie on other ways.
   const double total = first_[at(state)] + graph_.from_start(state / 2);
-  while (!queue_.empty() && queue_.top().total <= total + kTight && step()) continue;
+  while (!empty() && least_total() <= total + kTight && step()) continue;
   second(state);
 }
 
 void Labels::expand(const Entry& entry) {
   const int node = entry.state / 2;
   if (entry.state % 2 == 0) {
-    const bool counts = graph_.counts();
     for (const auto part : graph_.transitions(node))
       for (const RouteGraph::Transition& transition : part)
-        relax(2 * transition.to + 1, entry.first + (counts ? 1.0 : graph_.cost(node, transition).first));
+        relax(2 * transition.to + 1, entry.first + (counts_ ? 1.0 : graph_.cost(node, transition).first));
     return;
   }
   // By the triangle inequality whoever comes to walk on from here by a leg does not do worse by going there at once.
@@ -100,7 +118,7 @@ double Labels::second(int state) {
 Labels::Estimate Labels::estimate(int state) {
   const double second = second_[at(state)] >= 0.0 ? second_[at(state)] : graph_.second_to_goal(state / 2);
   if (final_[at(state)]) return {{first_[at(state)], second}, true};
-  if (queue_.empty()) return {kNever, true};
+  if (empty()) return {kNever, true};
   return {{std::max(0.0, frontier_ - graph_.from_start(state / 2)), second}, false};
 }
 

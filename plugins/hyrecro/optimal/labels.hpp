@@ -36,16 +36,22 @@ class Labels {
     }
   };
   bool step();
+  bool empty() const { return waiting_ == 0; }
+  double least_total();
   void relax(int state, double first);
   void expand(const Entry& entry);
   double second(int state);
 
   RouteGraph& graph_;
+  const bool counts_;
   std::size_t max_settled_;
   const std::stop_token& stop_;
   std::vector<double> first_, second_;  // by state; second_ below 0: not known
   std::vector<char> final_;
   std::vector<double> bounds_;
+  // Strides count in whole numbers: by their totals. What else is counted: in order.
+  std::vector<std::vector<Entry>> buckets_;
+  std::size_t bucket_ = 0, waiting_ = 0;
   std::priority_queue<Entry> queue_;
   double frontier_ = 0.0;  // no state that is not final has a lower total
   std::size_t settled_ = 0;

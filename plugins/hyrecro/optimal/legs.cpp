@@ -9,10 +9,11 @@ namespace foothold::hyrecro {
 namespace {
 
 // Per stride of a leg: postures' searches in closed form, and by exact reachability, before the leg is given up.
-constexpr std::size_t kTries = 40, kExactTries = 2;
+constexpr std::size_t kTries = 24, kExactTries = 1;
 constexpr std::array<double, 5> kAside{0.0, 0.025, -0.025, 0.06, -0.06};  // m, beside the way
 constexpr std::array<double, 5> kShares{0.0, 1.0, 0.5, 0.75, 0.25};       // between shortest and longest; 0: even
 constexpr std::array<double, 3> kRound{0.25, 0.35, 0.45};                 // m, where ends are too near each other
+constexpr std::array<double, 4> kFooting{0.3, 0.2, 0.4, 0.13};            // m, round a foothold
 constexpr double kBesideRoom = 0.05;  // m: so far beside the room for a plate in line with the edges an end may stand
 constexpr double kNear = 0.15;        // m: ends nearer than this are
 
@@ -37,6 +38,21 @@ std::optional<std::vector<Stride>> Legs::find(const Foothold& u, const Foothold&
   most_exact_ = kExactTries * static_cast<std::size_t>(count);
   if (!walk(count)) return std::nullopt;
   return chain_;
+}
+
+bool Legs::has_footing(const Foothold& u) {
+  for (const double distance : kFooting)
+    for (int side = 0; side < 8; ++side) {
+      const double to = quarter(u.heading) + side * 0.25 * std::numbers::pi;
+      for (const double heading : {to, quarter(to)}) {
+        const Foothold next{u.face, u.at + distance * direction(to), heading};
+        if (!strides_.on_face(next)) continue;
+        ++tried_;
+        if (strides_.level(next, u)) return true;
+        if (heading == quarter(to)) break;
+      }
+    }
+  return false;
 }
 
 std::optional<Coordinates> Legs::judge(const Foothold& from, const Foothold& to, bool last) {

@@ -106,16 +106,46 @@ void TransitionLists::list(int index) {
     const Cell middle = cell_of(transitions_->all()[at(i)].pose.translation());
     if (middle == last) continue;
     last = middle;
-    for (int x = -1; x <= 1; ++x)
-      for (int y = -1; y <= 1; ++y)
-        for (int z = -1; z <= 1; ++z)
-          if (const auto cell = cells_.find({middle.x + x, middle.y + y, middle.z + z}); cell != cells_.end())
-            near.insert(near.end(), cell->second.begin(), cell->second.end());
+    const std::vector<int> there = lines_near(transitions_->all()[at(i)].pose.translation());
+    near.insert(near.end(), there.begin(), there.end());
   }
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
   for (const int other : near)
     if (lines_[at(other)].face != line.face) pair(line, lines_[at(other)]);
+}
+
+std::vector<int> TransitionLists::lines_near(const Vector3d& point) const {
+  const Cell middle = cell_of(point);
+  std::vector<int> out;
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z)
+        if (const auto cell = cells_.find({middle.x + x, middle.y + y, middle.z + z}); cell != cells_.end())
+          out.insert(out.end(), cell->second.begin(), cell->second.end());
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+std::vector<TransitionLists::Entry> TransitionLists::around(const Isometry3d& sole, int face) {
+  std::vector<Entry> out;
+  const Eigen::Matrix3d back = sole.linear().transpose();
+  for (const int index : lines_near(sole.translation())) {
+    const Line& line = lines_[at(index)];
+    if (line.face == face) continue;
+    const Vector3d offset = back * (line.origin - sole.translation()), along = back * line.along;
+    const Vector3d ball = filter_->ball(back * line.axes), middle = offset + ball;
+    const double apart = filter_->apart(), half = middle.dot(along), root = half * half - middle.squaredNorm() + apart * apart;
+    if (root < 0.0) continue;
+    const auto begin = std::lower_bound(line.places.begin(), line.places.end(), -half - std::sqrt(root));
+    if (begin == line.places.end() || *begin > -half + std::sqrt(root)) continue;
+    const ReachFilter::Turn turn = filter_->turn(back * line.axes);
+    for (auto place = begin; place != line.places.end() && *place <= -half + std::sqrt(root); ++place)
+      if (const Vector3d there = offset + *place * along; filter_->may_reach(turn, there))
+        out.push_back({line.footholds[static_cast<std::size_t>(place - line.places.begin())], -1, there.norm()});
+  }
+  return out;
 }
 
 void TransitionLists::pair(const Line& from, const Line& to) {

@@ -24,6 +24,8 @@ class TransitionLists {
   using Entry = RouteGraph::Transition;
   // Of one transition foothold; what exclude() took out is not in it. Valid until the next call of anything here.
   const std::vector<Entry>& of(int foothold);
+  // The same for a sole that stands elsewhere, on `face`; kinds are -1.
+  std::vector<Entry> around(const Isometry3d& sole, int face);
   // They are out of reach of each other after all, and all that are alike.
   void exclude_alike(int one, int other);
   // The scene forbids this one.
@@ -55,6 +57,7 @@ class TransitionLists {
   void make_lines();
   void list(int line);
   void pair(const Line& from, const Line& to);
+  std::vector<int> lines_near(const Vector3d& point) const;
   int kind_of(const Isometry3d& pose);
 
   const Transitions* transitions_;

@@ -108,7 +108,7 @@ ReachFilter::Turn ReachFilter::turn(const Eigen::Matrix3d& orientation) const {
   const Matrix3d r = PaperPose(wire).r;
   Turn out;
   out.singular = singular(wire);
-  out.ball = ball_height_ * (orientation.col(2) - Vector3d::UnitZ());
+  out.ball = ball(orientation);
   const auto add = [&](double psi0, double psi1, double cell0) {
     const Shifts *first = of_lean(cell0), *second = of_lean(psi1);
     if (first == nullptr || second == nullptr) return;
@@ -145,8 +145,7 @@ bool ReachFilter::may_reach(const Turn& turn, const Vector3d& place) const {
 
 bool ReachFilter::may_reach(const Isometry3d& free_in_holding) const {
   const Vector3d place = free_in_holding.translation();
-  const Vector3d ball = place + ball_height_ * (free_in_holding.linear().col(2) - Vector3d::UnitZ());
-  if (ball.squaredNorm() > apart() * apart()) return false;
+  if ((place + ball(free_in_holding.linear())).squaredNorm() > apart() * apart()) return false;
   return may_reach(turn(free_in_holding.linear()), place);
 }
 

@@ -35,11 +35,13 @@ class ReachFilter {
     };
     bool singular = false;
     std::vector<Way> ways;
-    Vector3d ball = Vector3d::Zero();  // m: must be added to the place for what must be nearer than apart()
+    Vector3d ball = Vector3d::Zero();  // m
   };
   Turn turn(const Eigen::Matrix3d& orientation) const;
   // `place` of the free sole seen from the other, m.
   bool may_reach(const Turn& turn, const Vector3d& place) const;
+  // m: what must be added to the place for what must be nearer than apart().
+  Vector3d ball(const Eigen::Matrix3d& orientation) const { return ball_height_ * (orientation.col(2) - Vector3d::UnitZ()); }
   double apart() const { return 2.0 * ball_radius_ + hip_distance_; }
   // As far along the soles' Y axes may singular poses lie apart, m.
   double aside() const { return hip_distance_; }

@@ -31,6 +31,7 @@ KeptTruss::KeptTruss(const Model& model, const PreparedTruss& given)
     directions.push_back(direction(one.foothold.heading));
   }
   rows_.resize(places.size());
+  footing.assign(places.size(), -1);
 }
 
 const std::vector<std::uint8_t>& KeptTruss::row(int foothold) {
@@ -140,6 +141,12 @@ double TrussGraph::second_to_goal(int node) {
   return std::ceil(distance / kept_.strides.bounds().transition_reach() - 1e-9);
 }
 
+bool TrussGraph::footing(int node) {
+  signed char& known = node < samples_ ? kept_.footing[static_cast<std::size_t>(node)] : own_footing_[node == start() ? 0 : 1];
+  if (known < 0) known = kept_.legs.has_footing(at(node)) ? 1 : 0;
+  return known == 1;
+}
+
 const KeptTruss::Leg& TrussGraph::walk(int from, int to) {
   const bool own = std::max(from, to) >= samples_ || banned_;
   auto& known = own ? own_walked_ : kept_.walked;
@@ -152,6 +159,7 @@ const KeptTruss::Leg& TrussGraph::walk(int from, int to) {
     return leg;
   }
   constexpr int kMore = 3;
+  if (!footing(from) || !footing(to)) return leg;
   const int most = kept_.legs.likely(at(from), at(to)) + kMore;
   for (int count = leg.least; count <= most && !leg.found; ++count)
     if (auto found = kept_.legs.find(at(from), at(to), count, banned_)) {
@@ -177,15 +185,14 @@ Cost TrussGraph::leg(int from, int to, bool proved) {
 
 // `end`: start or goal. What may be reached from it, and it from there.
 void TrussGraph::list_own(int end) {
-  const Isometry3d back = pose(end).inverse(Eigen::Isometry);
-  const auto connect = [&](int to) {
-    if (face_of(to) == face_of(end) || !kept_.filter.may_reach(back * pose(to))) return;
-    const double distance = (place(to) - place(end)).norm();
-    own_lists_[end].push_back({to, -1, distance});
-    own_lists_[to].push_back({end, -1, distance});
-  };
-  for (const int to : scene_.transitions.near(place(end), kept_.strides.bounds().transition_reach(), face_of(end))) connect(to);
-  if (end == goal()) connect(start());
+  const Isometry3d sole = pose(end);
+  own_lists_[end] = kept_.lists.around(sole, face_of(end));
+  for (const Transition& transition : own_lists_[end]) own_lists_[transition.to].push_back({end, -1, transition.distance});
+  if (end == start() || start_.face == goal_.face) return;
+  if (!kept_.filter.may_reach(sole.inverse(Eigen::Isometry) * pose(start()))) return;
+  const double distance = (own_places_[1] - own_places_[0]).norm();
+  own_lists_[start()].push_back({goal(), -1, distance});
+  own_lists_[goal()].push_back({start(), -1, distance});
 }
 
 std::array<std::span<const RouteGraph::Transition>, 2> TrussGraph::transitions(int node) {

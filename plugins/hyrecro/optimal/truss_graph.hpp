@@ -38,6 +38,7 @@ struct KeptTruss final : PreparedTruss::Kept {
   ReachFilter filter;
   TransitionLists lists;
   std::vector<Vector3d> places;                                          // m, world, by foothold
+  std::vector<signed char> footing;                                      // by foothold: see Legs::has_footing(); -1: not known
   std::vector<Vector2d> directions;                                      // of their headings
   std::unordered_map<std::uint64_t, std::optional<Coordinates>> judged;  // transitions by both ends, with the scene
   std::unordered_map<std::uint64_t, Leg> walked;                         // legs by both ends
@@ -79,6 +80,7 @@ class TrussGraph final : public RouteGraph {
   const KeptTruss::Leg& walk(int from, int to);
   const std::optional<Coordinates>& judge(int from, int to);
   void list_own(int end);
+  bool footing(int node);
   int least(int node, const std::vector<std::uint8_t>* row, std::size_t index, int other);
 
   const Model& model_;
@@ -88,7 +90,8 @@ class TrussGraph final : public RouteGraph {
   const OptimalOptions& options_;
   Banned banned_;
   int samples_;
-  std::vector<int> start_face_, goal_face_;                       // nodes there, with start and goal
+  std::vector<int> start_face_, goal_face_;  // nodes there, with start and goal
+  std::array<signed char, 2> own_footing_{-1, -1};
   std::array<Vector3d, 2> own_places_;                            // of start and goal
   std::unordered_map<int, std::vector<Transition>> own_lists_;    // of start and goal; of footholds: those two alone
   std::unordered_map<std::uint64_t, KeptTruss::Leg> own_walked_;  // with start, goal or bans
