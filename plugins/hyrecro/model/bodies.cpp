@@ -10,7 +10,8 @@ Bodies bodies_at(const Model& model, const Coordinates& coordinates, const Isome
   Bodies out;
   const double thickness = model.plate.z() - model.skin;
   for (std::size_t j = 0; j < 2; ++j) {
-    out.plate[j].pose = sole0 * at.sole[j] * Eigen::Translation3d(0.0, 0.0, model.skin + 0.5 * thickness);
+    out.plate[j].pose = sole0 * at.sole[j];
+    out.plate[j].pose.translation() += (model.skin + 0.5 * thickness) * out.plate[j].pose.linear().col(2);
     out.plate[j].half = 0.5 * Vector3d(model.plate.x(), model.plate.y(), thickness);
     const Vector3d along = (at.upper_pin[j] - at.ankle_pin[j]).normalized();
     out.leg[j] = {sole0 * Vector3d(at.ankle_pin[j] + model.leg_begin * along), sole0 * at.upper_pin[j], model.leg_radius};

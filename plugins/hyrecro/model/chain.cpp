@@ -6,27 +6,27 @@
 namespace foothold::hyrecro {
 namespace {
 
-using Eigen::AngleAxisd;
-using Eigen::Translation3d;
-
-// R_wire = kToWire R_paper kToWire^T: X stays, Y (paper) is Z (wire), Z (paper) is -Y (wire).
-Isometry3d rotation(double angle, const Vector3d& axis) { return Isometry3d(AngleAxisd(angle, axis)); }
-Isometry3d about_mechanism(double angle) { return rotation(angle, -Vector3d::UnitY()); }  // Rz of the paper
-Isometry3d about_normal(double angle) { return rotation(angle, Vector3d::UnitZ()); }      // Ry of the paper
-Isometry3d up(double distance) { return Isometry3d(Translation3d(0.0, 0.0, distance)); }  // Ty of the paper
-
-struct LegFrames {
-  Vector3d ankle_pin, upper_pin;
-  Isometry3d hip;  // L_j, in the sole's frame
+// One leg in its own sole's frame: everything lies in the plane y = 0.
+struct LegPoints {
+  Vector3d upper_pin, hip;  // the hip axis' point in the middle of the hip plate
+  double sine, cosine;      // of psi
 };
 
-LegFrames leg_frames(const Model& model, const Leg& leg) {
-  LegFrames out;
-  Isometry3d at = up(model.ankle_height);
-  out.ankle_pin = at.translation();
-  at = at * about_mechanism(leg.phi1) * up(leg_length(model, leg));
-  out.upper_pin = at.translation();
-  out.hip = at * about_mechanism(leg.phi2) * up(model.hip_drop);
+// Paper's Rz(phi) takes our X to (cos phi, 0, sin phi) and our Z to (-sin phi, 0, cos phi).
+LegPoints leg_points(const Model& model, const Leg& leg) {
+  const double length = leg_length(model, leg), psi = leg.psi();
+  LegPoints out;
+  out.sine = std::sin(psi), out.cosine = std::cos(psi);
+  out.upper_pin = {-length * std::sin(leg.phi1), 0.0, model.ankle_height + length * std::cos(leg.phi1)};
+  out.hip = out.upper_pin + model.hip_drop * Vector3d(-out.sine, 0.0, out.cosine);
+  return out;
+}
+
+Isometry3d isometry(const Eigen::Matrix3d& rotation, const Vector3d& translation) {
+  Isometry3d out;
+  out.linear() = rotation;
+  out.translation() = translation;
+  out.makeAffine();
   return out;
 }
 
@@ -42,15 +42,31 @@ Coordinates swapped(const Coordinates& c) {
 
 double leg_length(const Model& model, const Leg& leg) { return leg.y1 + leg.y2 - model.core; }
 
+// The chain written out, as products of sparse matrices take most of a search's time. With M_j = Rz(psi_j) of the paper in our
+// frames, axes X0 Y0 Z0 of the hip plate = M_0 turned by hip0 about its Z, and the same turned by hip0 - hip1 before leg 1.
 Frames frames(const Model& model, const Coordinates& c) {
-  const LegFrames leg0 = leg_frames(model, c.leg[0]), leg1 = leg_frames(model, c.leg[1]);
+  const LegPoints leg0 = leg_points(model, c.leg[0]), leg1 = leg_points(model, c.leg[1]);
+  const auto turned = [&](double angle) {
+    const double sine = std::sin(angle), cosine = std::cos(angle);
+    Eigen::Matrix3d out;
+    out << cosine * leg0.cosine, -sine * leg0.cosine, -leg0.sine,  //
+        sine, cosine, 0.0,                                         //
+        cosine * leg0.sine, -sine * leg0.sine, leg0.cosine;
+    return out;
+  };
+  const Eigen::Matrix3d hip = turned(c.hip[0]), before_leg1 = turned(c.hip[0] - c.hip[1]);
+  const Vector3d axis1 = leg0.hip + model.hip_distance * hip.col(0);
+  Eigen::Matrix3d sole1;
+  sole1.col(0) = leg1.cosine * before_leg1.col(0) - leg1.sine * before_leg1.col(2);
+  sole1.col(1) = before_leg1.col(1);
+  sole1.col(2) = leg1.sine * before_leg1.col(0) + leg1.cosine * before_leg1.col(2);
+
   Frames out;
-  const Isometry3d axis0 = leg0.hip * about_normal(c.hip[0]);
-  out.hip = axis0 * Translation3d(0.5 * model.hip_distance, 0.0, 0.0);
+  out.hip = isometry(hip, leg0.hip + 0.5 * model.hip_distance * hip.col(0));
   out.sole[0] = Isometry3d::Identity();
-  out.sole[1] = axis0 * Translation3d(model.hip_distance, 0.0, 0.0) * about_normal(-c.hip[1]) * leg1.hip.inverse();
-  out.ankle_pin = {leg0.ankle_pin, out.sole[1] * leg1.ankle_pin};
-  out.upper_pin = {leg0.upper_pin, out.sole[1] * leg1.upper_pin};
+  out.sole[1] = isometry(sole1, axis1 - sole1 * leg1.hip);
+  out.ankle_pin = {Vector3d(0.0, 0.0, model.ankle_height), out.sole[1].translation() + model.ankle_height * sole1.col(2)};
+  out.upper_pin = {leg0.upper_pin, axis1 - model.hip_drop * hip.col(2)};
   return out;
 }
 

@@ -12,22 +12,33 @@ double squared_to_segment(const Vector3d& point, const Vector3d& from, const Vec
   return (w - t * along).squaredNorm();
 }
 
-constexpr double kParallel = 1e-8;  // sin^2 of the angle below which rounding may hide which ends are nearest
+// sin^2 of the angle below which the dot products' determinant loses too many digits.
+constexpr double kNearlyParallel = 1e-4;
+
+// Nearest points a0 + s u and b0 + t v, s and t in [0, 1], where `s` is that of the free minimum: that, else the best one on a
+// border.
+double squared_from(double s, const Vector3d& u, const Vector3d& v, const Vector3d& w, double uu, double vv, double uv, double uw,
+                    double vw) {
+  s = std::clamp(s, 0.0, 1.0);
+  double t = vv > 0.0 ? (uv * s + vw) / vv : 0.0;
+  if (t < 0.0 || t > 1.0 || vv <= 0.0) {
+    t = std::clamp(t, 0.0, 1.0);
+    s = uu > 0.0 ? std::clamp((uv * t - uw) / uu, 0.0, 1.0) : 0.0;
+  }
+  return (w + s * u - t * v).squaredNorm();
+}
 
 }  // namespace
 
-// Nearest points a0 + s u and b0 + t v, s and t in [0, 1]: the free minimum, else the best one on a border.
 double squared_of_segments(const Vector3d& a0, const Vector3d& a1, const Vector3d& b0, const Vector3d& b1) {
-  const Vector3d u = a1 - a0, v = b1 - b0, w = a0 - b0, n = u.cross(v);
-  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), nn = n.squaredNorm();
-  double s = nn > 0.0 ? std::clamp(-n.dot(w.cross(v)) / nn, 0.0, 1.0) : 0.0;
-  double t = vv > 0.0 ? (uv * s + v.dot(w)) / vv : 0.0;
-  if (t < 0.0 || t > 1.0 || vv <= 0.0) {
-    t = std::clamp(t, 0.0, 1.0);
-    s = uu > 0.0 ? std::clamp((uv * t - u.dot(w)) / uu, 0.0, 1.0) : 0.0;
-  }
-  const double best = (w + s * u - t * v).squaredNorm();
-  if (nn > kParallel * uu * vv) return best;
+  const Vector3d u = a1 - a0, v = b1 - b0, w = a0 - b0;
+  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), uw = u.dot(w), vw = v.dot(w);
+  const double determinant = uu * vv - uv * uv;
+  if (determinant > kNearlyParallel * uu * vv) return squared_from((uv * vw - vv * uw) / determinant, u, v, w, uu, vv, uv, uw, vw);
+  // The same by cross products, which keep their digits; and as rounding may still hide which ends are nearest, each end.
+  const Vector3d n = u.cross(v);
+  const double nn = n.squaredNorm();
+  const double best = squared_from(nn > 0.0 ? -n.dot(w.cross(v)) / nn : 0.0, u, v, w, uu, vv, uv, uw, vw);
   return std::min({best, squared_to_segment(a0, b0, v, vv), squared_to_segment(a1, b0, v, vv), squared_to_segment(b0, a0, u, uu),
                    squared_to_segment(b1, a0, u, uu)});
 }

@@ -50,7 +50,7 @@ TEST(AgainstFcl, DistancesOfBodiesThatAreApartAgree) {
     ++judged;
     differ += std::abs(*theirs - ours) > kError;
   };
-  for (int k = 0; k < 15000; ++k) {
+  for (int k = 0; k < 35000; ++k) {
     Box b = pairs.box(), e = pairs.box();
     b.half += Vector3d::Constant(0.01), e.half += Vector3d::Constant(0.01);
     Capsule c = pairs.capsule(), d = pairs.capsule();
@@ -59,7 +59,7 @@ TEST(AgainstFcl, DistancesOfBodiesThatAreApartAgree) {
     judge(c, b);
     judge(b, e);
   }
-  EXPECT_GT(judged, 10000);
+  EXPECT_GT(judged, 80000);
   EXPECT_LT(refused, judged / 1000);
   EXPECT_LT(differ, judged / 1000) << "of " << judged;
 }
