@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
+#include <sstream>
 
 #include "foothold/robot_file.hpp"
 #include "hyrecro/reach/labels.hpp"
@@ -53,15 +54,17 @@ std::string comment(const Line& line, const Accuracy& a) {
   const double poses = static_cast<double>(a.poses), reachable = static_cast<double>(a.reachable);
   const std::string space = line.net == "face" ? "uniform in a disc round the sole that holds, headings uniform"
                                                : "singular postures, uniform in a ball round the sole that holds, any bend";
-  return "HyReCRo's reachability network for " + line.net + " poses: a 6-32-64-1 perceptron, made by foothold-hyrecro-train.\n" +
-         "Accuracy on " + std::to_string(a.poses) + " fresh poses (" + space + "): " + percent(a.share()) +
-         ". Reachable: " + percent(reachable / poses) +
-         ".\nFalse positives: " + percent(static_cast<double>(a.false_positives) / (poses - reachable)) +
-         " of the unreachable; false negatives: " + percent(static_cast<double>(a.false_negatives) / reachable) +
-         " of the reachable.\nTrained on " + std::to_string(line.poses) + " poses with seed " + std::to_string(line.training.seed) +
-         ". Again:\n  foothold-hyrecro-train --net " + line.net + " --poses " + std::to_string(line.poses) + " --epochs " +
-         std::to_string(line.training.epochs) + " --batch " + std::to_string(line.training.batch) + " --seed " +
-         std::to_string(line.training.seed) + " --fresh " + std::to_string(line.fresh) + "\n";
+  std::ostringstream out;
+  out << "HyReCRo's reachability network for " << line.net << " poses: a 6-32-64-1 perceptron, made by foothold-hyrecro-train.\n"
+      << "Accuracy on " << a.poses << " fresh poses (" << space << "): " << percent(a.share())
+      << ". Reachable: " << percent(reachable / poses)
+      << ".\nFalse positives: " << percent(static_cast<double>(a.false_positives) / (poses - reachable))
+      << " of the unreachable; false negatives: " << percent(static_cast<double>(a.false_negatives) / reachable)
+      << " of the reachable.\nTrained on " << line.poses << " poses with seed " << line.training.seed
+      << ". Again:\n  foothold-hyrecro-train --net " << line.net << " --poses " << line.poses << " --epochs "
+      << line.training.epochs << " --batch " << line.training.batch << " --rate " << line.training.rate << " --seed "
+      << line.training.seed << " --fresh " << line.fresh << " --clearance " << line.clearance << "\n";
+  return out.str();
 }
 
 void run(const Line& line) {
@@ -109,7 +112,8 @@ int main(int count, char** words) {
   CLI::App app{
       "Makes a weights file of HyReCRo's reachability networks (method `network`). To be run at the root of the repository, once "
       "for "
-      "each net, whenever the robot's numbers change. The same command gives the same file on the same machine."};
+      "each net, whenever the robot's numbers change. The same build gives the same file for the same command on the same "
+      "machine."};
   Line line;
   app.add_option("--net", line.net, "Which network: face or transition")->required()->check(CLI::IsMember({"face", "transition"}));
   app.add_option("--robot", line.robot, "The robot's numbers")->capture_default_str();
