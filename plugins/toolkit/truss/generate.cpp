@@ -10,13 +10,15 @@
 namespace foothold::truss {
 namespace {
 
+double to_millimetres(double length) { return std::round(length * 1000.0) / 1000.0; }
+
 class Draw {
  public:
   explicit Draw(std::uint64_t seed) : random_(seed) {}
-  // Multiples of a millimetre (or of `step`) in [low, high].
+  // Multiples of `step` (m) in [low, high].
   double length(double low, double high, double step = 0.001) {
     const auto count = static_cast<std::uint64_t>(std::llround((high - low) / step)) + 1;
-    return std::round((low + step * static_cast<double>(whole(count))) * 1000.0) / 1000.0;
+    return to_millimetres(low + step * static_cast<double>(whole(count)));
   }
   std::uint64_t whole(std::uint64_t count) { return random_() % count; }  // 0 to count - 1; the bias is below 2^-50
 
@@ -64,9 +66,9 @@ Frame portal(Draw& draw, int beams) {
   const auto count = [&] { return frames * (bays + 1 + storeys) + (frames > 1 ? (bays + 1) * storeys : 0); };
   while (count() < beams) ++(frames <= bays ? frames : bays);
   std::vector<double> x{0.0}, y{0.0}, z{0.0};
-  for (int i = 0; i < bays; ++i) x.push_back(x.back() + draw.length(1.2, 2.5));
-  for (int j = 1; j < frames; ++j) y.push_back(y.back() + draw.length(1.2, 2.5));
-  for (int k = 0; k < storeys; ++k) z.push_back(z.back() + draw.length(1.2, 2.2));
+  for (int i = 0; i < bays; ++i) x.push_back(to_millimetres(x.back() + draw.length(1.2, 2.5)));
+  for (int j = 1; j < frames; ++j) y.push_back(to_millimetres(y.back() + draw.length(1.2, 2.5)));
+  for (int k = 0; k < storeys; ++k) z.push_back(to_millimetres(z.back() + draw.length(1.2, 2.2)));
   const Profile column = profile(draw), girder = profile(draw), purlin = profile(draw);
   Frame out;
   const auto node = [&](int i, int j, int k) { return (j * (bays + 1) + i) * (storeys + 1) + k; };
@@ -99,7 +101,7 @@ Frame tower(Draw& draw, int beams) {
   const int levels = std::max(1, (beams - 4 + 7) / 8);
   const double base = draw.length(1.4, 2.4), taper = 0.01 * static_cast<double>(draw.whole(41));
   std::vector<double> z{0.0};
-  for (int k = 0; k < levels; ++k) z.push_back(z.back() + draw.length(1.2, 2.0));
+  for (int k = 0; k < levels; ++k) z.push_back(to_millimetres(z.back() + draw.length(1.2, 2.0)));
   const Profile leg = profile(draw), ring = profile(draw), diagonal = profile(draw);
   const bool turned = draw.whole(2) == 0;
   Frame out;
@@ -130,7 +132,7 @@ Frame bridge(Draw& draw, int beams) {
   const int bays = std::max(1, (beams - 8 + 5) / 6);
   const double width = draw.length(1.2, 2.2), height = draw.length(1.2, 2.2);
   std::vector<double> x{0.0};
-  for (int i = 0; i < bays; ++i) x.push_back(x.back() + draw.length(1.2, 2.2));
+  for (int i = 0; i < bays; ++i) x.push_back(to_millimetres(x.back() + draw.length(1.2, 2.2)));
   const Profile chord = profile(draw), post = profile(draw), diagonal = profile(draw), cross = profile(draw);
   const bool turned = draw.whole(2) == 0;
   Frame out;
