@@ -20,9 +20,11 @@ struct MotionOptions {
 
 // The path is linear in the ten actuators (lengths and hip angles, as to_joints() gives them) between its points.
 struct Motion {
-  std::vector<Coordinates> points;  // looking from the foot that holds; first and last are the stances
-  std::vector<double> times;        // s from the begin, by the actuators' greatest speeds
-  double clearance = 0.0;           // m, proved over the whole path
+  // Looking from the foot that holds; first and last are the stances. Hip angles go on without jumps, so the last ones may differ
+  // from those of `to` by whole turns.
+  std::vector<Coordinates> points;
+  std::vector<double> times;  // s from the begin, by the actuators' greatest speeds
+  double clearance = 0.0;     // m, proved over the whole path
 };
 
 struct MotionResult {

@@ -7,105 +7,16 @@
 #include <limits>
 #include <set>
 
-#include "hyrecro/motion/lift.hpp"
-#include "hyrecro/motion/liftable.hpp"
 #include "hyrecro/motion/move.hpp"
 #include "hyrecro/motion/rise.hpp"
-#include "hyrecro/motion/solutions.hpp"
-#include "hyrecro/reach/inverse.hpp"
+#include "hyrecro/motion/stances.hpp"
 
 namespace foothold::hyrecro {
 namespace {
 
-constexpr SolutionGrid kGrid{0.15, 0.02, 0.2};
-// Candidates of a stance; pairs of a stride that are tried in closed form, and with all effort.
-constexpr std::size_t kCandidates = 8, kPairs = 10, kSearchedPairs = 3;
-// s: what a candidate without room to lift costs.
-constexpr double kNoRoom = 20.0;
+// Pairs of a stride's candidates that are tried in closed form, and with all effort.
+constexpr std::size_t kPairs = 10, kSearchedPairs = 3;
 constexpr double kNever = std::numeric_limits<double>::infinity();
-
-// A posture on two footholds, seen from the foot that held when it was reached.
-struct Stance {
-  Coordinates coordinates;
-  Actuators landing, leaving;        // with the foot lifted: just before (same view), and just after (seen from the other foot)
-  bool lands = true, leaves = true;  // one leg alone has room to lift its foot
-  double cost = 0.0;                 // s
-};
-
-Stance stance_of(const Model& model, const Coordinates& c, double height) {
-  const std::optional<Coordinates> landing = lifted(model, c, height), leaving = lifted(model, swapped(c), height);
-  return {c,
-          to_actuators(model, landing.value_or(c)),
-          to_actuators(model, leaving.value_or(swapped(c))),
-          landing.has_value(),
-          leaving.has_value(),
-          (landing ? 0.0 : kNoRoom) + (leaving ? 0.0 : kNoRoom)};
-}
-
-// How far from the middle of their strokes the actuators are, s.
-double eccentricity(const Model& model, const Actuators& q) {
-  const double middle = 0.5 * (model.mechanism.shortest() + model.mechanism.longest());
-  return (q.head<8>().array() - middle).abs().maxCoeff() / model.actuator_speed;
-}
-
-// Empty if no posture is found with the one or the other foot lifted; then `reason` says so.
-std::vector<Stance> candidates(const Surroundings& around, Reachability& exact, const Isometry3d& placed, const Coordinates& given,
-                               bool last, double height, std::string& reason) {
-  const Model& model = around.model;
-  const Isometry3d pose = around.holding.inverse(Eigen::Isometry) * placed;
-  Surroundings from_placed{model, around.obstacles, placed, around.clearance, around.stop};
-  std::vector<Stance> out, all;
-  for (const Coordinates& c : solutions(model, pose, kGrid, nullptr)) {
-    Stance stance = stance_of(model, c, height);
-    if (last && lifted(model, c, height)) stance.cost = 0.0;
-    if (stance.cost > 0.0) continue;
-    stance.cost = eccentricity(model, to_actuators(model, c));
-    all.push_back(std::move(stance));
-  }
-  std::stable_sort(all.begin(), all.end(), [](const Stance& a, const Stance& b) { return a.cost < b.cost; });
-  // Half of them may be of one side of the hip.
-  std::array<std::size_t, 2> taken{0, 0};
-  for (Stance& stance : all) {
-    std::size_t& of_side = taken[std::cos(stance.coordinates.hip[0]) < 0.0 ? 1 : 0];
-    if (of_side == kCandidates / 2 || judge_posture(around, stance.coordinates) ||
-        judge_posture(around, from_actuators(model, stance.landing)) ||
-        (!last && judge_posture(from_placed, from_actuators(model, stance.leaving))))
-      continue;
-    ++of_side;
-    out.push_back(std::move(stance));
-    if (out.size() == kCandidates) break;
-  }
-  if (out.empty()) {
-    // At the border of the workspace the grid finds nothing; exact reachability does, from above.
-    const auto below = [&](const Coordinates& top, const Isometry3d& of) {
-      const std::optional<Coordinates> by_leg = lifted(model, top, -height);
-      return by_leg ? by_leg : inverse(model, of, branch_of(top), free_of(model, top));
-    };
-    const auto from_above = [&](const Surroundings& view, const Isometry3d& of) {
-      std::optional<Coordinates> stance;
-      exact.reach(of * Eigen::Translation3d(0.0, 0.0, height), [&](const Coordinates& top) {
-        stance = below(top, of);
-        if (stance && (judge_posture(view, top) || judge_posture(view, *stance))) stance.reset();
-        return stance.has_value();
-      });
-      return stance;
-    };
-    if (!free_foot_liftable(exact, pose, height)) {
-      reason = "the foot cannot be set down: at its place it cannot be lifted, reachability ends there";
-      return {};
-    }
-    if (!last && !holding_foot_liftable(exact, pose, height)) {
-      reason = "the other foot could not be lifted next: reachability ends there";
-      return {};
-    }
-    if (const auto stance = from_above(around, pose)) out.push_back(stance_of(model, *stance, height));
-    if (!last)
-      if (const auto stance = from_above(from_placed, pose.inverse(Eigen::Isometry)))
-        out.push_back(stance_of(model, swapped(*stance), height));
-  }
-  out.push_back(stance_of(model, given, height));
-  return out;
-}
 
 // Choice of stances and motions of strides, in turn.
 class Chain {
@@ -123,8 +34,9 @@ class Chain {
     for (std::size_t i = 0; i < strides; ++i) {
       const Foothold& holds = i == 0 ? route.start : route.strides[i - 1].to;
       around_.push_back({model, obstacles, pose_of(truss, holds), options.clearance, stop});
-      stances_[i + 1] = candidates(around_[i], *exact, pose_of(truss, route.strides[i].to), route.strides[i].coordinates,
-                                   i + 1 == strides, height, reason_);
+      const bool last = i + 1 == strides;
+      stances_[i + 1] =
+          stances_at(around_[i], *exact, pose_of(truss, route.strides[i].to), route.strides[i].coordinates, last, height, reason_);
       if (!stances_[i + 1].empty()) continue;
       impossible_ = static_cast<int>(i);
       break;
