@@ -8,8 +8,9 @@
 namespace foothold::hyrecro {
 namespace {
 
-// Per stride of a leg: postures' searches in closed form, and by exact reachability, before the leg is given up.
-constexpr std::size_t kTries = 24, kExactTries = 1;
+// Per stride of a leg: postures' searches in closed form, and by exact reachability, before the leg is given up; fewer
+// tries where the bound demands fewer strides.
+constexpr std::size_t kTries = 24, kMoreTries = 8, kExactTries = 1;
 constexpr std::array<double, 5> kAside{0.0, 0.025, -0.025, 0.06, -0.06};  // m, beside the way
 constexpr std::array<double, 5> kShares{0.0, 1.0, 0.5, 0.75, 0.25};       // between shortest and longest; 0: even
 constexpr std::array<double, 3> kRound{0.25, 0.35, 0.45};                 // m, where ends are too near each other
@@ -34,7 +35,7 @@ std::optional<std::vector<Stride>> Legs::find(const Foothold& u, const Foothold&
   banned_ = &banned;
   chain_.clear();
   open_.resize(std::max(open_.size(), static_cast<std::size_t>(count)));
-  most_tried_ = tried_ + kTries * static_cast<std::size_t>(count);
+  most_tried_ = tried_ + (count == least(u, v) ? kTries : kMoreTries) * static_cast<std::size_t>(count);
   most_exact_ = kExactTries * static_cast<std::size_t>(count);
   if (!walk(count)) return std::nullopt;
   return chain_;

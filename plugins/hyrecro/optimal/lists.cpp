@@ -96,6 +96,16 @@ int TransitionLists::kind_of(const Isometry3d& pose) {
   return entry->second;
 }
 
+const ReachFilter::Turn& TransitionLists::turn_of(const Eigen::Matrix3d& orientation) {
+  constexpr std::size_t kMostTurns = 20'000;
+  Key key;
+  for (int i = 0; i < 9; ++i) key[at(i)] = rounded(orientation(i / 3, i % 3));
+  if (turns_.size() > kMostTurns) turns_.clear();
+  const auto [entry, fresh] = turns_.try_emplace(key);
+  if (fresh) entry->second = filter_->turn(orientation);
+  return entry->second;
+}
+
 // All footholds of a line at once.
 void TransitionLists::list(int index) {
   listed_[at(index)] = 1;
@@ -141,6 +151,7 @@ std::vector<TransitionLists::Entry> TransitionLists::around(const Isometry3d& so
     const auto begin = std::lower_bound(line.places.begin(), line.places.end(), -half - std::sqrt(root));
     if (begin == line.places.end() || *begin > -half + std::sqrt(root)) continue;
     const ReachFilter::Turn turn = filter_->turn(back * line.axes);
+    if (turn.ways.empty()) continue;
     for (auto place = begin; place != line.places.end() && *place <= -half + std::sqrt(root); ++place)
       if (const Vector3d there = offset + *place * along; filter_->may_reach(turn, there))
         out.push_back({line.footholds[static_cast<std::size_t>(place - line.places.begin())], -1, there.norm()});
@@ -152,20 +163,25 @@ void TransitionLists::pair(const Line& from, const Line& to) {
   const Eigen::Matrix3d back = from.axes.transpose();
   // The other line seen from the foothold at the place 0 of this one, whose own line is the Y axis.
   const Vector3d offset = back * (to.origin - from.origin), along = back * to.along;
-  const ReachFilter::Turn turn = filter_->turn(back * to.axes);
-  if (turn.ways.empty()) return;
+  const Vector3d ball = filter_->ball(back * to.axes);
+  const ReachFilter::Turn* turn = nullptr;
   const bool parallel = std::hypot(along.x(), along.z()) < kSame;
-  const double apart = std::min(filter_->apart(), reach_ + turn.ball.norm());
+  const double apart = filter_->apart();
   Isometry3d seen = Isometry3d::Identity();
   seen.linear() = back * to.axes;
   std::vector<std::pair<std::int32_t, int>> judged;  // by the distance along parallel lines: kind, -1: out of reach
   for (std::size_t a = 0; a < from.footholds.size(); ++a) {
     // Where the other line is within the ball, and beside this foothold by no more than a singular pose may be.
-    const Vector3d base = offset - Vector3d(0.0, from.places[a], 0.0), middle = base + turn.ball;
+    const Vector3d base = offset - Vector3d(0.0, from.places[a], 0.0), middle = base + ball;
     const double half = middle.dot(along), root = half * half - middle.squaredNorm() + apart * apart;
     if (root < 0.0) continue;
     double low = -half - std::sqrt(root), high = -half + std::sqrt(root);
-    if (turn.singular && parallel) {
+    if (to.places.back() < low || to.places.front() > high) continue;
+    if (turn == nullptr) {
+      turn = &turn_of(back * to.axes);
+      if (turn->ways.empty()) return;
+    }
+    if (turn->singular && parallel) {
       const double beside = -base.y() * along.y();
       low = std::max(low, beside - filter_->aside() - kSame);
       high = std::min(high, beside + filter_->aside() + kSame);
@@ -180,7 +196,7 @@ void TransitionLists::pair(const Line& from, const Line& to) {
       if (known != judged.end()) {
         kind = known->second;
       } else {
-        if (filter_->may_reach(turn, seen.translation())) kind = kind_of(seen);
+        if (filter_->may_reach(*turn, seen.translation())) kind = kind_of(seen);
         if (parallel) judged.emplace_back(key, kind);
       }
       if (kind < 0) continue;

@@ -59,6 +59,7 @@ class TransitionLists {
   void pair(const Line& from, const Line& to);
   std::vector<int> lines_near(const Vector3d& point) const;
   int kind_of(const Isometry3d& pose);
+  const ReachFilter::Turn& turn_of(const Eigen::Matrix3d& orientation);  // valid until the next call
 
   const Transitions* transitions_;
   const ReachFilter* filter_;
@@ -69,6 +70,7 @@ class TransitionLists {
   std::vector<char> listed_;                                    // by line
   std::vector<std::vector<Entry>> lists_;                       // by foothold
   std::vector<std::uint32_t> cleaned_;                          // by foothold: how many kinds were excluded then
+  std::unordered_map<Key, ReachFilter::Turn, KeyHash> turns_;   // by orientation
   std::unordered_map<Key, int, KeyHash> kinds_;
   std::vector<char> excluded_;  // by kind
   std::uint32_t exclusions_ = 0;

@@ -55,6 +55,11 @@ Found plan_optimal(const Model& model, const PreparedTruss& scene, const Foothol
   out.objective = in_words(options);
   KeptTruss& kept = kept_of(model, scene, options.lift);
   TrussGraph graph(model, scene, kept, start, goal, options);
+  for (const auto& [end, field] : {std::pair(graph.start(), "start"), std::pair(graph.goal(), "goal")})
+    if (!same(start, goal) && graph.hemmed_in(end)) {
+      out.failure = hemmed_in(scene, graph.at(end), field);
+      return out;
+    }
   const SearchResult result = search_route(graph, options.max_nodes, stop);
   out.figures.push_back({"states", static_cast<double>(result.settled), 0.0, "1"});
   out.lower_bound = result.bound == kNever ? 0.0 : result.bound.first;

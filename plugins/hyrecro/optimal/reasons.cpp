@@ -111,6 +111,13 @@ std::string name_of(const PreparedTruss& scene, int face) {
 
 }  // namespace
 
+Failure hemmed_in(const PreparedTruss& scene, const Foothold& at, const std::string& field) {
+  return {PlanError::kUnreachableGoal, field,
+          "the " + field + " on face " + name_of(scene, at.face) +
+              " is hemmed in: no stride was found between it and any foothold on its face or another",
+          "move or turn the " + field + "; legs or hip would touch what stands near it"};
+}
+
 Failure why_unreachable(TrussGraph& graph, const PreparedTruss& scene, KeptTruss& kept, const std::stop_token& stop) {
   Failure out{PlanError::kUnreachableGoal, "goal", "", ""};
   const int from = graph.face_of(graph.start()), to = graph.face_of(graph.goal());
@@ -129,12 +136,7 @@ Failure why_unreachable(TrussGraph& graph, const PreparedTruss& scene, KeptTruss
   }
   const Nearest nearest = nearest_transition(graph, scene, kept, flood);
   out.message = "face " + name_of(scene, to) + " cannot be entered: ";
-  if (!flood.walked()) {
-    out.field = "start";
-    out.message += "nothing leads away from the start on face " + name_of(scene, from) + ", which is hemmed in";
-    out.hint = "move or turn the start";
-    return out;
-  }
+  if (!flood.walked()) return hemmed_in(scene, graph.at(graph.start()), "start");
   out.message += std::to_string(flood.faces()) + (flood.faces() == 1 ? " face is" : " faces are") + " within reach of the start; ";
   if (nearest.from < 0) {
     out.message += "no transition footholds lead to it";

@@ -9,4 +9,7 @@ namespace foothold::hyrecro {
 // looks for the transition to the goal's face that comes nearest to working. Takes some milliseconds, more on large trusses.
 Failure why_unreachable(TrussGraph& graph, const PreparedTruss& scene, KeptTruss& kept, const std::stop_token& stop);
 
+// No stride leads away from `at`, which is the request's `field`, start or goal.
+Failure hemmed_in(const PreparedTruss& scene, const Foothold& at, const std::string& field);
+
 }  // namespace foothold::hyrecro

@@ -26,10 +26,7 @@ KeptTruss::KeptTruss(const Model& model, const PreparedTruss& given)
       legs(strides),
       filter(model),
       lists(given.transitions, filter, strides.bounds().transition_reach()) {
-  for (const TransitionFoothold& one : given.transitions.all()) {
-    places.push_back(one.pose.translation());
-    directions.push_back(direction(one.foothold.heading));
-  }
+  for (const TransitionFoothold& one : given.transitions.all()) places.push_back(one.pose.translation());
   rows_.resize(places.size());
   footing.assign(places.size(), -1);
 }
@@ -145,6 +142,14 @@ bool TrussGraph::footing(int node) {
   signed char& known = node < samples_ ? kept_.footing[static_cast<std::size_t>(node)] : own_footing_[node == start() ? 0 : 1];
   if (known < 0) known = kept_.legs.has_footing(at(node)) ? 1 : 0;
   return known == 1;
+}
+
+bool TrussGraph::hemmed_in(int end) {
+  if (footing(end)) return false;
+  std::vector<int> others;
+  for (const Transition& transition : own_lists_[end]) others.push_back(transition.to);
+  if (std::any_of(others.begin(), others.end(), [&](int to) { return transition(end, to); })) return false;
+  return start_.face != goal_.face || walk(start(), goal()).strides.empty();
 }
 
 const KeptTruss::Leg& TrussGraph::walk(int from, int to) {

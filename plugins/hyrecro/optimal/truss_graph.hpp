@@ -39,7 +39,6 @@ struct KeptTruss final : PreparedTruss::Kept {
   TransitionLists lists;
   std::vector<Vector3d> places;                                          // m, world, by foothold
   std::vector<signed char> footing;                                      // by foothold: see Legs::has_footing(); -1: not known
-  std::vector<Vector2d> directions;                                      // of their headings
   std::unordered_map<std::uint64_t, std::optional<Coordinates>> judged;  // transitions by both ends, with the scene
   std::unordered_map<std::uint64_t, Leg> walked;                         // legs by both ends
 
@@ -70,6 +69,8 @@ class TrussGraph final : public RouteGraph {
   double second_to_goal(int node) override;
 
   const Foothold& at(int node) const;
+  // Whether any stride leads away from `end`, start or goal. A quick look before a search that may be long.
+  bool hemmed_in(int end);
   // Of a hop that leg() or transition() has found possible.
   std::vector<Stride> strides_of(const Hop& hop);
 
