@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "samples.hpp"
+#include "truss/generate.hpp"
 
 namespace foothold::hyrecro {
 namespace {
@@ -146,6 +147,29 @@ TEST(Transitions, NearAPointAreThoseThatAreNear) {
     std::sort(sorted.begin(), sorted.end());
     EXPECT_EQ(sorted, expected);
   }
+}
+
+TEST(Transitions, OfGeneratedTrussesAreSound) {
+  std::size_t convex = 0, concave = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const auto family = static_cast<truss::Family>(seed % 3);
+    const truss::Truss truss = truss::build(truss::generate(family, seed, 2 + static_cast<int>(seed)));
+    SamplingOptions options;
+    options.step = 0.1;
+    const Transitions transitions(kModel, truss, options);
+    convex += count(transitions, true);
+    concave += count(transitions, false);
+    expect_sound(truss, transitions, options);
+  }
+  EXPECT_GT(convex, 5000u);
+  EXPECT_GT(concave, 300u);
+}
+
+TEST(Transitions, AreTheSameEveryTime) {
+  const truss::Truss truss = truss::build(truss::generate(truss::Family::kBridge, 2, 20));
+  const Transitions once(kModel, truss, {}), again(kModel, truss, {});
+  ASSERT_EQ(once.all().size(), again.all().size());
+  for (std::size_t k = 0; k < once.all().size(); ++k) EXPECT_TRUE(once.all()[k].pose.matrix() == again.all()[k].pose.matrix());
 }
 
 TEST(Transitions, OfAnEmptySceneAreNone) {
