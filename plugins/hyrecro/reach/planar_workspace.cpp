@@ -137,35 +137,25 @@ std::optional<PlanarWorkspace> PlanarWorkspace::make(const Model& model, double 
   return out;
 }
 
-// Cells, r_max and r_opt. Rings are one position step wide; where several have the most headings on average, the middle of the
-// widest run of them counts.
 void PlanarWorkspace::measure() {
-  struct Ring {
-    double headings = 0.0;
-    int cells = 0;
-    double mean() const { return cells > 0 ? headings / cells : 0.0; }
-  };
-  std::vector<Ring> rings(static_cast<std::size_t>(2 * extent_ + 2));
+  int most = 0;
   for (int i = -extent_; i <= extent_; ++i)
     for (int j = -extent_; j <= extent_; ++j) {
       int count = 0;
       for (int k = 0; k < headings_; ++k) count += reachable(i, j, k) ? 1 : 0;
-      Ring& ring = rings[static_cast<std::size_t>(std::lround(std::hypot(i, j)))];
-      ring.headings += count;
-      ++ring.cells;
       if (count == 0) continue;
       cells_.push_back({i, j, count});
+      most = std::max(most, count);
       if (j == 0) r_max_ = std::max(r_max_, i * position_step_);
     }
-  double most = 0.0;
-  for (const Ring& ring : rings) most = std::max(most, ring.mean());
-  std::size_t widest = 0, run = 0;
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    run = rings[r].mean() >= most - 1e-9 ? run + 1 : 0;
-    if (run <= widest) continue;
-    widest = run;
-    r_opt_ = (static_cast<double>(r) - 0.5 * static_cast<double>(run - 1)) * position_step_;
-  }
+  double sum = 0.0;
+  int best = 0;
+  for (const Cell& cell : cells_)
+    if (cell.count == most) {
+      sum += std::hypot(cell.i, cell.j) * position_step_;
+      ++best;
+    }
+  if (best > 0) r_opt_ = sum / best;
 }
 
 }  // namespace foothold::hyrecro

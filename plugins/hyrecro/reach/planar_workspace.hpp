@@ -31,7 +31,8 @@ class PlanarWorkspace {
   // The conservative solution of a reachable pose: the one whose bodies fill the largest bounding box in the frame of the sole that
   // holds (paper: "maximizes the volume"), of the level postures where there are any. Computed from one stored number.
   Coordinates conservative(int i, int j, int k) const;
-  // r_max: longest reach along X, m. r_opt: radius of the circle on which most headings are reachable, m (paper, Figure 9).
+  // r_max: longest reach along X, m. r_opt: of the circle through the places where most headings are reachable (paper, Figure 9),
+  // m; as these are a band, its mean radius, which hardly depends on the steps. The band's inner edge is where the plates meet.
   double r_max() const { return r_max_; }
   double r_opt() const { return r_opt_; }
   // Grid positions with at least one heading.

@@ -159,12 +159,14 @@ TEST(PlanarWorkspace, LongestReachIsThatOfBothLegsAtTheirGreatestShift) {
   }
 }
 
-TEST(PlanarWorkspace, EveryHeadingIsReachableAtTheBestReach) {
-  const PlanarWorkspace& w = workspace();
-  for (const PlanarWorkspace::Cell& cell : w.cells())
-    if (std::fabs(std::hypot(cell.i, cell.j) * w.position_step() - w.r_opt()) < 0.25 * w.position_step()) {
-      EXPECT_EQ(cell.count, w.headings()) << cell.i << ' ' << cell.j;
-    }
+TEST(PlanarWorkspace, EveryHeadingIsReachableAheadAndBehindAroundTheBestReach) {
+  for (const double step : {0.01, 0.02, 0.03, 0.05}) {
+    const PlanarWorkspace& w = workspace(step, step == 0.01 ? 5.0 : 20.0);
+    EXPECT_NEAR(w.r_opt(), workspace().r_opt(), 0.01);
+    const int nearest = static_cast<int>(std::lround(w.r_opt() / step)), around = static_cast<int>(0.06 / step);
+    for (int i = nearest - around; i <= nearest + around; ++i)
+      for (int k = 0; k < w.headings(); ++k) EXPECT_TRUE(w.reachable(i, 0, k) && w.reachable(-i, 0, k)) << step << ' ' << i;
+  }
 }
 
 TEST(PlanarWorkspace, StopsWhenAskedTo) {
