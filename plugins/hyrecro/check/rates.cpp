@@ -29,13 +29,20 @@ MechanismRates mechanism_rates(const kinematics::PlanarMechanism& mechanism, con
   const double shortest = std::sqrt(0.5 * (l_low * l_low + r_low * r_low) - rest + 2.0 * pb * cosine);
   const double d = shortest * cosine - pb * sine * sine / shortest;
   if (!(d > 0.0) || !(shortest > b) || !(out.greatest_phi < 0.5 * std::numbers::pi)) {
-    out.phi = out.y = std::numeric_limits<double>::infinity();
+    out.phi = out.y = out.phi_bend = out.y_bend = std::numeric_limits<double>::infinity();
     return out;
   }
   const double m = std::max(std::fabs(from.left * dl + from.right * dr), std::fabs(to.left * dl + to.right * dr));
   const double n = std::max(std::fabs(from.left * dl - from.right * dr), std::fabs(to.left * dl - to.right * dr));
   out.phi = (n / (2.0 * b) + sine * m / (2.0 * shortest)) / d;
   out.y = (0.5 * m + pb * sine * out.phi) / shortest;
+  const double m_change = dl * dl + dr * dr, n_change = std::fabs(dl * dl - dr * dr);
+  const double d_change =
+      out.y + out.longest * sine * out.phi + pb * (2.0 * sine * out.phi + sine * sine * out.y / shortest) / shortest;
+  out.phi_bend = (n_change / (2.0 * b) + (out.phi * m + sine * m_change + sine * m * out.y / shortest) / (2.0 * shortest) +
+                  out.phi * d_change) /
+                 d;
+  out.y_bend = (0.5 * m_change + pb * (out.phi * out.phi + sine * out.phi_bend) + out.y * out.y) / shortest;
   return out;
 }
 
@@ -53,7 +60,7 @@ Rates rates_between(const Model& model, std::span<const double> from, std::span<
   const std::array<std::size_t, 2> hip = holds == Foot::kA ? std::array<std::size_t, 2>{8, 9} : std::array<std::size_t, 2>{9, 8};
   struct LegRates {
     MechanismRates ankle, upper;
-    double length = 0.0, stretch = 0.0, turn = 0.0;
+    double length = 0.0, stretch = 0.0;
   };
   std::array<LegRates, 2> leg;
   for (std::size_t j = 0; j < 2; ++j) {
@@ -62,11 +69,10 @@ Rates rates_between(const Model& model, std::span<const double> from, std::span<
     leg[j].upper = mechanism_rates(model.mechanism, {from[k + 2], from[k + 3]}, {to[k + 2], to[k + 3]});
     leg[j].length = leg[j].ankle.longest + leg[j].upper.longest - model.core;
     leg[j].stretch = leg[j].ankle.y + leg[j].upper.y;
-    leg[j].turn = leg[j].ankle.phi + leg[j].upper.phi;
   }
   const double hip0 = std::fabs(to[hip[0]] - from[hip[0]]);
   const double hips = std::fabs((to[hip[0]] - from[hip[0]]) - (to[hip[1]] - from[hip[1]]));
-  const double psi0 = leg[0].turn, t = model.hip_distance, a2 = model.hip_drop;
+  const double psi0 = leg[0].ankle.phi + leg[0].upper.phi, t = model.hip_distance, a2 = model.hip_drop;
 
   Rates out;
   out.leg0 = std::max(model.leg_begin, leg[0].length) * leg[0].ankle.phi + leg[0].stretch;
@@ -80,7 +86,26 @@ Rates rates_between(const Model& model, std::span<const double> from, std::span<
   const double plate = std::hypot(0.5 * model.plate.x(), 0.5 * model.plate.y(), model.ankle_height);  // from the ankle pin
   out.plate1 = axis1 + psi0 * (a2 + leg[1].length + plate) + hips * (leg[1].length * aside + plate) +
                leg[1].upper.phi * (leg[1].length + plate) + leg[1].stretch + leg[1].ankle.phi * plate;
-  out.turn1 = psi0 + hips + leg[1].turn;
+
+  // With w_i the speed and a_i the acceleration of joint i, r_i its greatest distance from the sole, W_i the sum of the speeds
+  // before it: a turn adds a_i r_i + w_i (w_i + 2 W_i) r_i to the sole's second derivative, a stretch a_i + 2 W_i w_i; the
+  // rotation's is at most the sum of a_i and the square of the sum of w_i.
+  double turning = 0.0, accelerating = 0.0;
+  const auto turn = [&](double speed, double acceleration, double lever) {
+    out.bend1 += (acceleration + speed * (speed + 2.0 * turning)) * lever;
+    turning += speed, accelerating += acceleration;
+  };
+  const auto stretch = [&](double speed, double acceleration) { out.bend1 += acceleration + 2.0 * turning * speed; };
+  const double a = model.ankle_height, from_upper = leg[1].length + a, from_axis1 = leg[1].length * aside + a;
+  turn(leg[0].ankle.phi, leg[0].ankle.phi_bend, leg[0].length + a2 + t + a2 + from_upper);
+  stretch(leg[0].stretch, leg[0].ankle.y_bend + leg[0].upper.y_bend);
+  turn(leg[0].upper.phi, leg[0].upper.phi_bend, a2 + t + a2 + from_upper);
+  turn(hip0, 0.0, t + from_axis1);
+  turn(std::fabs(to[hip[1]] - from[hip[1]]), 0.0, from_axis1);
+  turn(leg[1].upper.phi, leg[1].upper.phi_bend, from_upper);
+  stretch(leg[1].stretch, leg[1].ankle.y_bend + leg[1].upper.y_bend);
+  turn(leg[1].ankle.phi, leg[1].ankle.phi_bend, a);
+  out.bend_turn1 = accelerating + turning * turning;
   return out;
 }
 

@@ -12,12 +12,15 @@ namespace foothold::hyrecro {
 // times the part of the piece. Seen from the foot that holds.
 struct Rates {
   double leg0 = 0.0, hip = 0.0, leg1 = 0.0, plate1 = 0.0;  // m; plate 0 does not move. Infinite: no bound
-  double turn1 = 0.0;                                      // rad, of sole 1
+  // Of sole 1 against the straight line between two postures: its origin (m) and its rotation (rad) leave the mean of what they are
+  // at the ends of a part h of the piece by at most this times h^2 / 8.
+  double bend1 = 0.0, bend_turn1 = 0.0;
 };
 
 // One mechanism's bounds over the piece.
 struct MechanismRates {
   double phi = 0.0, y = 0.0;                 // rad and m per piece
+  double phi_bend = 0.0, y_bend = 0.0;       // their second derivatives
   double greatest_phi = 0.0, longest = 0.0;  // rad and m: of |phi| and of y
 };
 MechanismRates mechanism_rates(const kinematics::PlanarMechanism& mechanism, const kinematics::PlanarMechanism::Lengths& from,
