@@ -101,6 +101,35 @@ TEST_F(CheckOfMotions, RefusesAFootThatDoesNotRiseOrSinkAlongTheNormal) {
   EXPECT_EQ(reason_after(in_the_air).find("of the face that it leaves"), std::string::npos);
 }
 
+// A short piece, nearly straight, that is on the normal at its begin and high enough at its end, but goes aside on the way.
+TEST_F(CheckOfMotions, RefusesAFootThatReachesItsHeightAside) {
+  Walk w = walk(model_, Foot::kA, Isometry3d::Identity(), from_, to_, 100);
+  EXPECT_TRUE(verdict(w).accepted) << verdict(w).reason;
+  w.step.motion.erase(w.step.motion.begin() + 20, w.step.motion.begin() + 22);
+  for (std::size_t k = 20; k < w.step.motion.size(); ++k) w.step.motion[k].time += 10.0;
+  const StepVerdict is = verdict(w);
+  EXPECT_FALSE(is.accepted);
+  EXPECT_NE(is.reason.find("off the normal of the face that it leaves"), std::string::npos) << is.reason;
+}
+
+TEST_F(CheckOfMotions, RefusesWhatIsNoNumber) {
+  const std::vector<std::function<void(Walk&)>> changes{
+      [](Walk& w) { w.step.after.base.translation().x() = NAN; },
+      [](Walk& w) { w.step.after.joints[4] = NAN; },
+      [](Walk& w) { w.step.after.joints[8] = HUGE_VAL; },
+      [](Walk& w) { w.step.placed[0].frame.linear()(0, 0) = NAN; },
+      [](Walk& w) { w.step.placed[0].frame.translation().z() = w.step.after.stance[1].frame.translation().z() = NAN; },
+      [](Walk& w) { w.before.stance[0].frame.translation().z() = w.step.after.stance[0].frame.translation().z() = NAN; },
+      [](Walk& w) { w.before.stance[1].frame.translation().z() = NAN; },
+      [](Walk& w) { w.before.joints[9] = NAN; },
+      [](Walk& w) { w.step.motion[3].joints[1] = NAN; },
+      [](Walk& w) { w.step.motion[3].joints[9] = -HUGE_VAL; },
+      [](Walk& w) { w.step.motion[3].base.linear()(2, 1) = NAN; },
+      [](Walk& w) { w.step.motion[3].time = NAN; },
+      [](Walk& w) { w.step.motion[0].time = NAN; }};
+  for (std::size_t k = 0; k < changes.size(); ++k) EXPECT_NE(reason_after(changes[k]), "accepted") << k;
+}
+
 // Thinner than what the foot goes between two points; both points are free of it.
 TEST_F(CheckOfMotions, RefusesWhatPassesAThinObstacleBetweenItsPoints) {
   Level from = from_, to = from_;
