@@ -95,6 +95,14 @@ TEST(Algorithm2, TakesTheReachablePositionNearestToTheCrossingTurnedAlongTheWay)
             workspace.heading_step() + 1e-9);
 }
 
+TEST(Algorithm1, TakesAnotherGreatestReachIfTold) {
+  PaperOptions options;
+  options.r_max = 0.40;
+  const auto strides = plan_face(robot(), wall(), on_wall(0.5, 1, 0), on_wall(2.5, 1, 0), options, {});
+  ASSERT_TRUE(strides);
+  EXPECT_NEAR((place(strides->front().to) - Vector2d(0.9, 1)).norm(), 0.0, 1e-6);
+}
+
 TEST(Algorithm1, HasNothingToDoWhereOneStrideSuffices) {
   EXPECT_EQ(walk(on_wall(1, 1, 0), on_wall(1.3, 1, 0)).size(), 1U);
   EXPECT_EQ(walk(on_wall(1, 1, 0), on_wall(1.3, 1, 0), FaceRule::kZhu).size(), 1U);
@@ -117,6 +125,9 @@ faces:
   const Foothold from = stand(*scene, {0.5, 0.06, 0}, Vector3d::UnitZ(), Vector3d::UnitX());
   const Foothold to = stand(*scene, {3.5, 0.06, 0}, Vector3d::UnitZ(), Vector3d::UnitX());
   const auto exact = make_exact(robot(), kClearance);
+  // One stride needs no way inside a safe polygon.
+  const Foothold near = stand(*scene, {0.8, 0.06, 0}, Vector3d::UnitZ(), Vector3d::UnitX());
+  EXPECT_EQ(plan_paper(robot(), *scene, *exact, from, near, {}, {}, {}).route.strides.size(), 1U);
   const Found found = plan_paper(robot(), *scene, *exact, from, to, {}, {}, {});
   ASSERT_EQ(found.outcome, Found::Outcome::kFailed);
   EXPECT_NE(found.failure.message.find("lath"), std::string::npos) << found.failure.message;
