@@ -5,6 +5,7 @@
 // the rest chosen again; only if a stride runs out of pairs, lifts by the whole robot and RRTConnect are tried.
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "hyrecro/motion/move.hpp"
@@ -15,7 +16,7 @@ namespace foothold::hyrecro {
 namespace {
 
 // Pairs of a stride's candidates that are tried in closed form, and with all effort.
-constexpr std::size_t kPairs = 10, kSearchedPairs = 3;
+constexpr std::size_t kPairs = 4, kSearchedPairs = 3;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // Choice of stances and motions of strides, in turn.
@@ -47,47 +48,53 @@ class Chain {
 
   RouteMotions run(const Route& route) {
     RouteMotions out{route, {}, impossible_, reason_};
-    if (impossible_ >= 0) return out;
-    while (made_.size() < refused_.size()) {
+    bool all = impossible_ < 0 && refused_.empty();
+    while (!all && impossible_ < 0) {
       if (!choose()) {
         const std::size_t last = static_cast<std::size_t>(out.failed);
         if (refused_[last] >= kPairs) break;
         all_effort(last);
         continue;
       }
-      while (!made_.empty() && !made_.back().of(choice_, made_.size() - 1)) made_.pop_back();
-      const std::size_t next = made_.size();
-      MotionResult result = make(next);
-      if (result.motion) {
-        made_.push_back({choice_[next], choice_[next + 1], std::move(*result.motion)});
-        continue;
-      }
-      out.failed = static_cast<int>(next);
-      out.reason = result.reason;
-      blocked_.insert({next, choice_[next], choice_[next + 1]});
-      if (++refused_[next] == kPairs) all_effort(next);
-      if (refused_[next] >= kPairs + kSearchedPairs || stop_.stop_requested()) break;
+      const std::optional<std::size_t> at = make_all(out.reason);
+      all = !at;
+      if (all) break;
+      out.failed = static_cast<int>(*at);
+      blocked_.insert(pair_of(*at));
+      if (++refused_[*at] == kPairs) all_effort(*at);
+      if (refused_[*at] >= kPairs + kSearchedPairs || stop_.stop_requested()) break;
     }
-    if (made_.size() == refused_.size()) out.failed = -1, out.reason.clear();
-    for (std::size_t i = 0; i < made_.size(); ++i) {
-      out.route.strides[i].coordinates = stances_[i + 1][made_[i].to].coordinates;
-      out.motions.push_back(std::move(made_[i].motion));
+    if (all) out.failed = -1, out.reason.clear();
+    for (std::size_t i = 0; impossible_ < 0 && i < refused_.size(); ++i) {
+      const auto made = made_.find(pair_of(i));
+      if (made == made_.end()) break;
+      out.route.strides[i].coordinates = stances_[i + 1][choice_[i + 1]].coordinates;
+      out.motions.push_back(std::move(made->second));
     }
     return out;
   }
 
  private:
+  // A stride between two of its stances.
   struct Pair {
     std::size_t stride, from, to;
     auto operator<=>(const Pair&) const = default;
   };
-  struct Made {
-    std::size_t from, to;
-    Motion motion;
-    bool of(const std::vector<std::size_t>& choice, std::size_t stride) const {
-      return from == choice[stride] && to == choice[stride + 1];
+  Pair pair_of(std::size_t stride) const { return {stride, choice_[stride], choice_[stride + 1]}; }
+
+  // Motions between the chosen stances; the first stride that has none.
+  std::optional<std::size_t> make_all(std::string& reason) {
+    for (std::size_t i = 0; i < refused_.size(); ++i) {
+      if (made_.contains(pair_of(i))) continue;
+      MotionResult result = make(i);
+      if (!result.motion) {
+        reason = result.reason;
+        return i;
+      }
+      made_.emplace(pair_of(i), std::move(*result.motion));
     }
-  };
+    return std::nullopt;
+  }
 
   // From now on lifts by the whole robot and RRTConnect may be used; what was refused without them may be tried again.
   void all_effort(std::size_t stride) {
@@ -141,8 +148,8 @@ class Chain {
   std::vector<std::size_t> choice_;           // of stances_[i]
   std::vector<std::size_t> refused_;          // pairs of stride i
   std::set<Pair> blocked_;
-  std::vector<Made> made_;  // of the first strides
-  int impossible_ = -1;     // a stride without any stance, and why
+  std::map<Pair, Motion> made_;
+  int impossible_ = -1;  // a stride without any stance, and why
   std::string reason_;
 };
 
