@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "hyrecro/check/check.hpp"
+#include "hyrecro/motion/lift.hpp"
 #include "hyrecro/posture.hpp"
 #include "hyrecro/report.hpp"
 #include "hyrecro/steps.hpp"
@@ -46,7 +47,7 @@ std::shared_ptr<const PreparedScene> HyrecroPlanner::prepare(const Scene& scene,
   return std::make_shared<PreparedTruss>(model_, read(scene), options.sampling, options.clearance);
 }
 
-std::vector<Beginning> HyrecroPlanner::beginnings(const Request& request, const PreparedTruss& scene) const {
+std::vector<Beginning> HyrecroPlanner::beginnings(const Request& request, const PreparedTruss& scene, double lift) const {
   const Start start = read_start(model_, scene, request.start);
   const Grip& first = start.grips.front();
   const Isometry3d sole = pose_of(scene.truss, first.at);
@@ -56,8 +57,11 @@ std::vector<Beginning> HyrecroPlanner::beginnings(const Request& request, const 
     throw InvalidRequest("start.joints", "in this posture the robot collides, or keeps less than the clearance");
   if (!coordinates && both) {
     const Isometry3d wanted = sole.inverse() * pose_of(scene.truss, start.grips[1].at);
-    coordinates =
-        exact(scene.clearance).reach(wanted, [&](const Coordinates& c) { return is_free(model_, scene, c, sole); }).coordinates;
+    const auto free = [&](const Coordinates& c) { return is_free(model_, scene, c, sole); };
+    // Either foot may be the first to go.
+    const auto ready = [&](const Coordinates& c) { return lifted(model_, c, lift) && lifted(model_, swapped(c), lift) && free(c); };
+    coordinates = exact(scene.clearance).reach(wanted, ready).coordinates;
+    if (!coordinates) coordinates = exact(scene.clearance).reach(wanted, free).coordinates;
     if (!coordinates)
       throw InvalidRequest("start.contacts", "no posture free of collision stands on both; give one contact, or others");
   }
@@ -70,9 +74,9 @@ std::vector<Beginning> HyrecroPlanner::beginnings(const Request& request, const 
   return out;
 }
 
-Posture HyrecroPlanner::start(const Request& request, const Parameters&, const PreparedScene& scene) const {
+Posture HyrecroPlanner::start(const Request& request, const Parameters& parameters, const PreparedScene& scene) const {
   const PreparedTruss& truss = truss_of(scene);
-  const std::vector<Beginning> from = beginnings(request, truss);
+  const std::vector<Beginning> from = beginnings(request, truss, read_options(parameters).optimal.lift);
   const Beginning& first = from.front();
   Posture out = posture_of(model_, first.coordinates, first.holding.foot, pose_of(truss.truss, first.holding.at));
   for (const Beginning& beginning : from) out.stance.push_back(to_contact(truss.truss, beginning.holding));
@@ -94,7 +98,7 @@ PlanReport HyrecroPlanner::plan(const Request& request, const Parameters& parame
                                 PlanContext& context) {
   const PreparedTruss& truss = truss_of(scene);
   const Options options = read_options(parameters);
-  const std::vector<Beginning> from = beginnings(request, truss);
+  const std::vector<Beginning> from = beginnings(request, truss, options.optimal.lift);
   const Foothold goal = read_goal(model_, truss, request.goal);
   if (options.method == Method::kPaper) {
     truss.workspace = workspace(options, context.stop);

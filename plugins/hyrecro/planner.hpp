@@ -38,8 +38,9 @@ class HyrecroPlanner final : public Planner {
   // Made once for the same steps and clearance, whatever the scene. Null if stopped.
   std::shared_ptr<const PlanarWorkspace> workspace(const Options& options, const std::stop_token& stop);
   Reachability& exact(double clearance) const;
-  // One for a robot on one foot, one for each foot that may stay for one on both.
-  std::vector<Beginning> beginnings(const Request& request, const PreparedTruss& scene) const;
+  // One for a robot on one foot, one for each foot that may stay for one on both: then in a posture from which either foot can rise
+  // by `lift` (m), if there is one.
+  std::vector<Beginning> beginnings(const Request& request, const PreparedTruss& scene, double lift) const;
   Found search(const Options& options, const PreparedTruss& scene, const Grip& from, const Foothold& goal,
                PlanContext& context) const;
 

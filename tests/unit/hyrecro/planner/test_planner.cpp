@@ -3,6 +3,8 @@
 #include <thread>
 
 #include "fixtures.hpp"
+#include "hyrecro/motion/lift.hpp"
+#include "hyrecro/posture.hpp"
 
 namespace foothold::hyrecro {
 namespace {
@@ -159,6 +161,25 @@ TEST(Planner, LetsTheBetterFootGoFirstWhereBothHold) {
     EXPECT_EQ(report.cost, std::min(steps_from(0.2), steps_from(0.45)));
     EXPECT_LE(report.lower_bound, report.cost);
   }
+}
+
+// With motions; without, any posture will do, and at some distances it is one from which a foot cannot go.
+TEST(Planner, StandsOnBothFeetSoThatEitherCanBeLifted) {
+  int any = 0, ready = 0;
+  for (const char* motion : {"false", "true"}) {
+    const Parameters values = parameters({{"motion", motion}});
+    const auto scene = crossed_beams(values);
+    const Model model = Model::from_model(robot());
+    for (double distance = 0.15; distance < 0.47; distance += 0.02) {
+      Request request = request_between(on_top(0.2), on_upright(0.4));
+      request.start.contacts = {contact("A", on_top(0.2)), contact("B", on_top(0.2 + distance))};
+      const Coordinates c = stand_of(model, shared_planner().start(request, values, *scene)).coordinates;
+      const bool both = lifted(model, c, 0.02) && lifted(model, swapped(c), 0.02);
+      (values.flag("motion") ? ready : any) += both ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(ready, 16);
+  EXPECT_LT(any, ready);
 }
 
 TEST(Planner, StandsStillWhereItStands) {
