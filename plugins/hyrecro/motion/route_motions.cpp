@@ -38,7 +38,9 @@ class Chain {
       const bool last = i + 1 == strides;
       stances_[i + 1] =
           stances_at(around_[i], *exact, pose_of(truss, route.strides[i].to), route.strides[i].coordinates, last, height, reason_);
-      if (!stances_[i + 1].empty()) continue;
+      const bool stopped = stop.stop_requested();
+      if (stopped) reason_ = "stopped";
+      if (!stances_[i + 1].empty() && !stopped) continue;
       impossible_ = static_cast<int>(i);
       break;
     }

@@ -111,6 +111,19 @@ TEST(RouteMotions, RepeatThemselvesWithTheSameSeed) {
   }
 }
 
+TEST(RouteMotions, EndAtOnceWhenStopped) {
+  const Obstacles obstacles(crossed_beams());
+  const Walk walk = walk_over(obstacles, over_two_edges());
+  std::mt19937_64 random(4);
+  std::stop_source stop;
+  stop.request_stop();
+  const RouteMotions motions =
+      plan_motions(shipped_model(), obstacles, crossed_beams(), walk.route, walk.start, true, {}, random, stop.get_token());
+  EXPECT_GE(motions.failed, 0);
+  EXPECT_EQ(motions.reason, "stopped");
+  EXPECT_TRUE(motions.motions.empty());
+}
+
 TEST(RouteMotions, TellTheStrideWhoseFootCannotBeLifted) {
   const Obstacles obstacles(crossed_beams());
   // Straight over the edge, 0.07 m from it on both sides and 0.1 m apart: at the border of what can be reached.
