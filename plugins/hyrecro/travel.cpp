@@ -11,7 +11,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMostBans = 20;
+constexpr std::size_t kMostBans = 8;
+constexpr double kBanStep = 0.02;  // m
 constexpr double kSameCost = 1e-9;
 
 class Stopwatch {
@@ -104,7 +105,8 @@ Travel plan_travel(const Model& model, const PreparedTruss& scene, const Options
                            (bans == 0 ? std::string("1 route was") : std::to_string(bans + 1) + " routes were") + " tried",
                        "lower clearance or lift, or plan with motion: false to see the footholds"};
         if (options.method == Method::kPaper || bans == kMostBans) return out;
-        with.optimal.banned.push_back({holding, route.strides[k].to});
+        // Neighbours fail for the same reason as a rule; the further the more often it did.
+        with.optimal.banned.push_back({holding, route.strides[k].to, kBanStep * static_cast<double>(bans + 1)});
         continue;
       }
       best.found.route = std::move(motions.route);

@@ -66,8 +66,12 @@ TrussGraph::TrussGraph(const Model& model, const PreparedTruss& scene, KeptTruss
       own_places_{pose_of(scene.truss, start).translation(), pose_of(scene.truss, goal).translation()} {
   if (!options.banned.empty())
     banned_ = [this](const Foothold& a, const Foothold& b) {
+      const auto near = [](const Foothold& ban, const Foothold& at, double within) {
+        return same(ban, at) || (ban.face == at.face && (ban.at - at.at).norm() < within);
+      };
       return std::any_of(options_.banned.begin(), options_.banned.end(), [&](const Ban& ban) {
-        return (same(ban.one, a) && same(ban.other, b)) || (same(ban.one, b) && same(ban.other, a));
+        return (near(ban.one, a, ban.within) && near(ban.other, b, ban.within)) ||
+               (near(ban.one, b, ban.within) && near(ban.other, a, ban.within));
       });
     };
   start_face_ = scene.transitions.of_face(start.face);

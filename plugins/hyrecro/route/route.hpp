@@ -62,9 +62,11 @@ struct Found {
 
 enum class Objective { kSteps, kDistance };
 
-// Two footholds that a route must not have one after the other, in either order: no motion was found between their stances.
+// Two footholds that a route must not have one after the other, in either order: no motion was found between their stances. So are
+// those on the same faces and no further away than `within` (m), in whatever heading.
 struct Ban {
   Foothold one, other;
+  double within = 0.0;
 };
 
 // Called for strides that the rest of the search cannot change any more, in order; false: stop. May be empty.
