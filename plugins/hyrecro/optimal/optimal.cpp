@@ -19,10 +19,11 @@ KeptTruss& kept_of(const Model& model, const PreparedTruss& scene, double lift) 
   return *kept;
 }
 
-std::string in_words(const OptimalOptions& options) {
+std::string in_words(const OptimalOptions& options, bool large) {
   std::string out =
       options.objective == Objective::kSteps ? "least strides, then least length" : "least length, then least strides";
   out += ", over all routes through the sampled transition footholds, with any footholds on the faces";
+  if (large) out += ", transitions between opposite ones alone as there are so many";
   if (options.lift > 0.0) out += ", from which each foot can be lifted";
   if (!options.banned.empty())
     out += ", without " + std::to_string(options.banned.size()) + " strides for which no motion was found";
@@ -52,8 +53,8 @@ void hold_costs(const PreparedTruss& scene, const OptimalOptions& options, const
 Found plan_optimal(const Model& model, const PreparedTruss& scene, const Foothold& start, const Foothold& goal,
                    const OptimalOptions& options, const std::stop_token& stop, const OnStride& on_stride) {
   Found out;
-  out.objective = in_words(options);
   KeptTruss& kept = kept_of(model, scene, options.lift);
+  out.objective = in_words(options, kept.large());
   TrussGraph graph(model, scene, kept, start, goal, options);
   for (const auto& [end, field] : {std::pair(graph.start(), "start"), std::pair(graph.goal(), "goal")})
     if (!same(start, goal) && graph.hemmed_in(end)) {

@@ -25,7 +25,7 @@ KeptTruss::KeptTruss(const Model& model, const PreparedTruss& given)
       strides(model, given),
       legs(strides),
       filter(model),
-      lists(given.transitions, filter, strides.bounds().transition_reach()) {
+      lists(given.transitions, filter, strides.bounds().transition_reach(), given.transitions.all().size() > kLarge) {
   for (const TransitionFoothold& one : given.transitions.all()) places.push_back(one.pose.translation());
   rows_.resize(places.size());
   footing.assign(places.size(), -1);
@@ -51,7 +51,8 @@ void KeptTruss::tidy() {
     judged.clear();
     walked.clear();
   }
-  if (lists.entries() > kMostKept / 8) lists = TransitionLists(scene.transitions, filter, strides.bounds().transition_reach());
+  if (lists.entries() > kMostKept / 8)
+    lists = TransitionLists(scene.transitions, filter, strides.bounds().transition_reach(), large());
 }
 
 TrussGraph::TrussGraph(const Model& model, const PreparedTruss& scene, KeptTruss& kept, const Foothold& start, const Foothold& goal,

@@ -18,6 +18,9 @@ namespace foothold::hyrecro {
 // m: at most so much is added to the length of a transition for each of its ends, to tell equally long routes apart.
 inline constexpr double kPreference = 1e-7;
 
+// Transition footholds, from which on a scene counts as large.
+inline constexpr std::size_t kLarge = 12'000;
+
 // What later requests find again. Transition footholds by their index in Transitions::all().
 struct KeptTruss final : PreparedTruss::Kept {
   KeptTruss(const Model& model, const PreparedTruss& scene);
@@ -31,6 +34,9 @@ struct KeptTruss final : PreparedTruss::Kept {
   const std::vector<std::uint8_t>& row(int foothold);
   // Bounds what is kept; to be called between requests.
   void tidy();
+
+  // Too many footholds for transitions between any two: only opposite ones are looked at.
+  bool large() const { return places.size() > kLarge; }
 
   const PreparedTruss& scene;
   Strides strides;
