@@ -13,8 +13,9 @@
 namespace foothold::truss {
 namespace {
 
-constexpr double kPlanar = 1e-6;    // m
-constexpr double kStraight = 1e-7;  // m: corners this near to their neighbours' line are none
+constexpr double kPlanar = 1e-6;          // m
+constexpr std::size_t kFewCorners = 100;  // beyond, a face's triangles are its solids rather than pieces cut anew
+constexpr double kStraight = 1e-7;        // m: corners this near to their neighbours' line are none
 
 Vector3d area_of(const TriangleMesh& mesh, std::size_t k) {
   const auto& c = mesh.triangles[k];
@@ -140,7 +141,9 @@ void add_face(const TriangleMesh& mesh, const std::vector<int>& face_of, const P
   const auto add_solid = [&](Polygon piece) {
     truss.solids.push_back({name, Solid::Kind::kPolygon, face.frame, Vector3d::Zero(), std::move(piece)});
   };
-  if (holes.empty())
+  const bool simple = holes.empty() && std::all_of(outlines.begin(), outlines.end(),
+                                                   [](const Polygon& outline) { return outline.size() <= kFewCorners; });
+  if (simple)
     for (const Polygon& outline : outlines)
       for (Polygon& piece : convex_pieces(outline)) add_solid(std::move(piece));
   else

@@ -14,11 +14,12 @@
 namespace foothold::truss {
 namespace {
 
-constexpr double kFarthest = 1e4;        // m: beyond that millimetres are lost to rounding
-constexpr double kShortest = 1e-6;       // m, of beams and profiles
-constexpr double kTolerance = 1e-6;      // m, rad: of planes and unit vectors
-constexpr double kLeastArea = 1e-12;     // m^2: less is a line drawn twice
-constexpr double kLeastSideways = 1e-3;  // of `up`: sine of its angle to the beam
+constexpr double kFarthest = 1e4;            // m: beyond that millimetres are lost to rounding
+constexpr double kShortest = 1e-6;           // m, of beams and profiles
+constexpr double kTolerance = 1e-6;          // m, rad: of planes and unit vectors
+constexpr double kLeastArea = 1e-12;         // m^2: less is a line drawn twice
+constexpr std::size_t kMostVertices = 1000;  // of a face: its checks and pieces take the square of it and more
+constexpr double kLeastSideways = 1e-3;      // of `up`: sine of its angle to the beam
 
 [[noreturn]] void fail(const YAML::Node& node, const std::string& field, const std::string& reason) {
   throw InvalidScene(field, "line " + std::to_string(node.Mark().line + 1) + ": " + reason);
@@ -108,6 +109,7 @@ Plate plate(const YAML::Node& node, const std::string& field, std::set<std::stri
   const std::string path = field + ".polygon";
   if (!list.IsSequence()) fail(list, path, "must be a list of vertices [x, y, z]");
   if (list.size() < 3) fail(list, path, "must have three vertices at least, has " + std::to_string(list.size()));
+  if (list.size() > kMostVertices) fail(list, path, "must have 1000 vertices at most, has " + std::to_string(list.size()));
   for (std::size_t k = 0; k < list.size(); ++k) {
     out.polygon.push_back(triple(list[k], at(path, k), " in m"));
     if (k > 0 && out.polygon[k] == out.polygon[k - 1]) fail(list[k], at(path, k), "is the same as the vertex before it");

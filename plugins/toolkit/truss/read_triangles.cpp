@@ -17,9 +17,10 @@
 namespace foothold::truss {
 namespace {
 
-constexpr double kFarthest = 1e4;      // m
-constexpr double kSame = 1e-6;         // m: vertices this near are one
-constexpr double kLeastHeight = 1e-6;  // m, of a triangle
+constexpr double kFarthest = 1e4;           // m
+constexpr double kSame = 1e-6;              // m: vertices this near are one
+constexpr double kLeastHeight = 1e-6;       // m, of a triangle
+constexpr std::size_t kMostCorners = 1000;  // of a polygon in the file
 constexpr std::size_t kMostTriangles = 1000000;
 
 std::string triangle(std::size_t k) { return "triangles[" + std::to_string(k) + "]"; }
@@ -70,6 +71,7 @@ void demand_height(const TriangleMesh& mesh, std::size_t k) {
 void add_triangles(TriangleMesh& mesh, const std::vector<int>& corners) {
   const auto at = [&](std::size_t k) -> const Vector3d& { return mesh.vertices[static_cast<std::size_t>(corners[k])]; };
   std::vector<std::array<std::size_t, 3>> parts{{0, 1, 2}};
+  if (corners.size() > kMostCorners) throw InvalidScene(triangle(mesh.triangles.size()), "is a polygon of more than 1000 corners");
   if (corners.size() > 3) {
     Vector3d area = Vector3d::Zero();
     for (std::size_t k = 1; k + 1 < corners.size(); ++k) area += (at(k) - at(0)).cross(at(k + 1) - at(0));

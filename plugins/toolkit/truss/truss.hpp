@@ -52,9 +52,9 @@ struct Truss {
 };
 
 // Reads .yaml as above; refuses unknown keys, names given twice, numbers that are not finite, beams of no length or profile, `up`
-// along the beam, faces that are not planar (1e-6 m) or not simple or of no area, normals that are not of unit length (1e-6) or not
-// perpendicular to the face. Throws InvalidScene whose field is a path such as "faces[2].polygon[1]" and whose message begins with
-// the line. Any thread.
+// along the beam, faces that are not planar (1e-6 m) or not simple or of no area or of more than 1000 vertices, normals that are
+// not of unit length (1e-6) or not perpendicular to the face. Throws InvalidScene whose field is a path such as
+// "faces[2].polygon[1]" and whose message begins with the line. Any thread.
 Truss read_truss(const std::string& path);
 // `text` is what the file would hold.
 Truss parse_truss(const std::string& text);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -167,6 +168,12 @@ TEST(Mesh, RefusesWhatIsNoSoundSurface) {
   expect_refused(as_obj({{a, b, c}, {b, a, d}, {a, b, e}}), "obj", "triangles[2]", "an edge has two triangles at the most");
   expect_refused(as_obj({{a, b, c}, {a, b, d}}), "obj", "triangles[1]", "disagree about the outer side");
   expect_refused(as_obj({{a, b, Vector3d(0, 20000, 0)}}), "obj", "triangles[0]", "beyond 10000 m");
+  std::string circle, corners = "f";
+  for (int k = 0; k <= 1000; ++k) {
+    circle += "v " + text(Vector3d(100.0 * std::cos(k * 6.28 / 1001), 100.0 * std::sin(k * 6.28 / 1001), 0.0)) + "\n";
+    corners += " " + std::to_string(k + 1);
+  }
+  expect_refused(circle + corners + "\n", "obj", "triangles[0]", "more than 1000 corners");
   expect_refused("nothing", "obj", "", "");
   expect_refused("", "stl", "", "");
   expect_refused("v 0 0 0\n", "dae", "", "a mesh is a file .stl, .obj or .ply, is 'dae'");

@@ -120,6 +120,9 @@ TEST(TrussFile, RefusesFacesWithTheFieldAtFault) {
   expect_refused({with_face("{name: f, polygon: " + square + "}"), "faces[0].normal", "line 2: is missing"});
   expect_refused({face("3", up), "faces[0].polygon", "line 2: must be a list of vertices"});
   expect_refused({face("[[0, 0, 0], [1, 0, 0]]", up), "faces[0].polygon", "line 2: must have three vertices at least, has 2"});
+  std::string many = "[[0, 0, 0]";
+  for (int k = 0; k < 1000; ++k) many += ", [" + std::to_string(k) + ", 1, 0]";
+  expect_refused({face(many + "]", up), "faces[0].polygon", "line 2: must have 1000 vertices at most, has 1001"});
   expect_refused({face("[[0, 0, 0], [1, 0], [1, 1, 0]]", up), "faces[0].polygon[1]", "line 2: must be [x, y, z]"});
   expect_refused(
       {face("[[0, 0, 0], [0, 0, 0], [1, 1, 0]]", up), "faces[0].polygon[1]", "line 2: is the same as the vertex before it"});
