@@ -10,7 +10,7 @@ namespace {
 
 // Per stride of a leg: postures' searches in closed form, and by exact reachability, and candidates looked at, before the leg is
 // given up.
-constexpr std::size_t kTries = 24, kLooks = 2000, kExactTries = 1;
+constexpr std::size_t kTries = 10, kLooks = 2000, kExactTries = 1;
 constexpr std::array<double, 5> kAside{0.0, 0.025, -0.025, 0.06, -0.06};  // m, beside the way
 constexpr std::array<double, 5> kShares{0.0, 1.0, 0.5, 0.75, 0.25};       // between shortest and longest; 0: even
 constexpr std::array<double, 3> kRound{0.25, 0.35, 0.45};                 // m, where ends are too near each other

@@ -8,13 +8,21 @@
 namespace foothold::hyrecro {
 namespace {
 
+struct Effort {
+  bool proved = false;   // costs are what is proved, not what is found
+  double weight = 1.0;   // of what is left to the goal: above 1 for any good route instead of the best
+  std::size_t most = 0;  // evaluations
+};
+constexpr std::size_t kMostEvaluations = 20'000;
+constexpr double kGreed = 3.0;
+
 // Forward, lazily. A state is 2 * node + (departing ? 1 : 0).
 class Forward {
  public:
-  Forward(RouteGraph& graph, Labels& labels, bool proved, std::size_t max_settled, const std::stop_token& stop)
+  Forward(RouteGraph& graph, Labels& labels, const Effort& effort, std::size_t max_settled, const std::stop_token& stop)
       : graph_(graph),
         labels_(labels),
-        proved_(proved),
+        effort_(effort),
         max_settled_(max_settled),
         stop_(stop),
         parent_(2 * static_cast<std::size_t>(graph.nodes()), -2) {}
@@ -24,7 +32,8 @@ class Forward {
     push({}, 2 * graph_.start(), -1, true);
     while (!queue_.empty()) {
       if (stop_.stop_requested() || labels_.stopped()) return ended(out, SearchResult::Outcome::kStopped);
-      if (labels_.settled() + settled_ > max_settled_) return ended(out, SearchResult::Outcome::kLimit);
+      if (labels_.settled() + settled_ > max_settled_ || evaluations_ > effort_.most)
+        return ended(out, SearchResult::Outcome::kLimit);
       const Entry entry = queue_.top();
       queue_.pop();
       if (parent_[static_cast<std::size_t>(entry.state)] != -2) continue;
@@ -53,10 +62,14 @@ class Forward {
     }
   };
 
+  Cost total(const Cost& cost, const Cost& rest) const {
+    return {cost.first + effort_.weight * rest.first, cost.second + rest.second};
+  }
+
   void push(const Cost& cost, int state, int parent, bool evaluated) {
     const Labels::Estimate rest = labels_.estimate(state);
     if (rest.cost == kNever) return;
-    queue_.push({cost + rest.cost, cost, state, parent, evaluated, rest.exact, number_++});
+    queue_.push({total(cost, rest.cost), cost, state, parent, evaluated, rest.exact, number_++});
   }
 
   // Takes the label to exactness; true if the entry had to go back (or out).
@@ -64,21 +77,22 @@ class Forward {
     labels_.settle(entry.state);
     const Labels::Estimate rest = labels_.estimate(entry.state);
     if (rest.cost == kNever) return true;
-    if (!(entry.total < entry.cost + rest.cost)) return false;
-    queue_.push({entry.cost + rest.cost, entry.cost, entry.state, entry.parent, entry.evaluated, true, entry.number});
+    if (!(entry.total < total(entry.cost, rest.cost))) return false;
+    queue_.push({total(entry.cost, rest.cost), entry.cost, entry.state, entry.parent, entry.evaluated, true, entry.number});
     return true;
   }
 
   // True if the entry may be settled as it is.
   bool evaluate(const Entry& entry) {
+    ++evaluations_;
     const int from = entry.parent / 2, to = entry.state / 2;
     if (entry.state % 2 == 0) return graph_.transition(from, to);
-    const Cost real = graph_.leg(from, to, proved_);
+    const Cost real = graph_.leg(from, to, effort_.proved);
     if (real == kNever) return false;
     const Cost cost = arrived_.at(static_cast<std::size_t>(from)) + real;
     if (!(entry.cost < cost)) return true;
     const Labels::Estimate rest = labels_.estimate(entry.state);
-    queue_.push({cost + rest.cost, cost, entry.state, entry.parent, true, rest.exact, entry.number});
+    queue_.push({total(cost, rest.cost), cost, entry.state, entry.parent, true, rest.exact, entry.number});
     return false;
   }
 
@@ -117,14 +131,14 @@ class Forward {
 
   RouteGraph& graph_;
   Labels& labels_;
-  bool proved_;  // costs are what is proved, not what is found
+  Effort effort_;
   std::size_t max_settled_;
   const std::stop_token& stop_;
   std::vector<int> parent_;  // by state; -2: not settled, -1: the root
   std::vector<Cost> arrived_;
   std::vector<Cost> bounds_;
   std::priority_queue<Entry> queue_;
-  std::size_t number_ = 0, settled_ = 0;
+  std::size_t number_ = 0, settled_ = 0, evaluations_ = 0;
 };
 
 }  // namespace
@@ -132,21 +146,25 @@ class Forward {
 SearchResult search_route(RouteGraph& graph, std::size_t max_settled, const std::stop_token& stop) {
   SearchResult out;
   std::size_t settled = 0;
-  const auto search = [&](bool proved) {
-    Labels labels(graph, max_settled - std::min(settled, max_settled), stop);
+  const auto search = [&](const Effort& effort) {
+    const std::size_t left = max_settled - std::min(settled, max_settled);
+    Labels labels(graph, left, stop);
     labels.settle_fully(2 * graph.start());
     const Cost bound = labels.estimate(2 * graph.start()).cost;
-    SearchResult found = Forward(graph, labels, proved, max_settled - std::min(settled, max_settled), stop).run();
+    SearchResult found = Forward(graph, labels, effort, left, stop).run();
     settled += found.settled;
     found.bound = bound;
     return found;
   };
-  out = search(false);
+  using Outcome = SearchResult::Outcome;
+  out = search({false, 1.0, kMostEvaluations});
+  // Where so much is in the way that the best route would take long to find, a good one does.
+  if (out.outcome == Outcome::kLimit && settled <= max_settled) out = search({false, kGreed, max_settled});
   // What was found out on the way has raised what can be proved.
-  if (out.outcome == SearchResult::Outcome::kFound && out.bound.first < out.cost.first) {
-    const SearchResult proof = search(true);
-    if (proof.outcome == SearchResult::Outcome::kStopped) return proof;
-    if (proof.outcome == SearchResult::Outcome::kFound) out.bound = std::min(proof.cost, out.cost);
+  if (out.outcome == Outcome::kFound && out.bound.first < out.cost.first) {
+    const SearchResult proof = search({true, 1.0, kMostEvaluations});
+    if (proof.outcome == Outcome::kStopped) return proof;
+    out.bound = std::min(proof.outcome == Outcome::kFound ? proof.cost : proof.bound, out.cost);
   }
   out.settled = settled;
   return out;
