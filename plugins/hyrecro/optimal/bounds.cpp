@@ -17,7 +17,7 @@ double greatest_shift(const Model& model, double psi) {
     if (ankle.empty() || upper.empty()) return 0.0;
     return (ankle.high + upper.high - model.core) * std::sin(phi);
   };
-  constexpr int steps = 100;
+  constexpr int steps = 400;
   double best = 0.0, step = limit / steps, at = limit;
   for (int i = 0; i <= steps; ++i)
     if (const double value = shift(i * step); value > best) best = value, at = i * step;
@@ -34,7 +34,7 @@ double greatest_shift(const Model& model, double psi) {
 
 StrideBounds::StrideBounds(const Model& model) : hip_distance_(model.hip_distance) {
   const double limit = 2.0 * model.mechanism.greatest_phi();
-  constexpr int leans = 30;
+  constexpr int leans = 100;
   for (int i = 0; i <= leans; ++i) {
     const double psi = limit * i / leans;
     shift_ = std::max(shift_, 0.5 * (greatest_shift(model, psi) + greatest_shift(model, -psi)));

@@ -10,7 +10,7 @@ namespace {
 
 // Per stride of a leg: postures' searches in closed form, and by exact reachability, and candidates looked at, before the leg is
 // given up.
-constexpr std::size_t kTries = 10, kLooks = 2000, kExactTries = 1;
+constexpr std::size_t kTries = 24, kLooks = 4000, kExactTries = 1;
 constexpr std::array<double, 5> kAside{0.0, 0.025, -0.025, 0.06, -0.06};  // m, beside the way
 constexpr std::array<double, 5> kShares{0.0, 1.0, 0.5, 0.75, 0.25};       // between shortest and longest; 0: even
 constexpr std::array<double, 3> kRound{0.25, 0.35, 0.45};                 // m, where ends are too near each other
@@ -37,8 +37,6 @@ std::optional<std::vector<Stride>> Legs::find(const Foothold& u, const Foothold&
   open_.resize(std::max(open_.size(), static_cast<std::size_t>(count)));
   most_tried_ = tried_ + kTries * static_cast<std::size_t>(count);
   most_looks_ = kLooks * static_cast<std::size_t>(count);
-  around_.setEmpty();
-  for (const Vector2d& corner : strides_.scene().truss.faces[static_cast<std::size_t>(u.face)].outline) around_.extend(corner);
   most_exact_ = kExactTries * static_cast<std::size_t>(count);
   if (!walk(count)) return std::nullopt;
   return chain_;
@@ -81,7 +79,6 @@ bool Legs::walk(int left) {
   candidates(from, left, open);
   for (const Foothold& next : open) {
     if (tried_ >= most_tried_ || most_looks_ == 0) return false;
-    if (!around_.contains(next.at)) continue;
     --most_looks_;
     if (least(from, next) != 1 || least(next, goal_) > left - 1 || same(next, goal_) || !strides_.on_face(next)) continue;
     const std::optional<Coordinates> found = judge(from, next, false);

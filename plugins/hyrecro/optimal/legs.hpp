@@ -55,7 +55,6 @@ class Legs {
   std::vector<Stride> chain_;
   std::vector<std::vector<Foothold>> open_;  // candidates by depth
   std::unordered_map<int, Rooms> rooms_;     // by face
-  Eigen::AlignedBox2d around_;               // the face of the leg that is looked for
   std::size_t tried_ = 0, most_tried_ = 0, most_looks_ = 0, most_exact_ = 0;
 };
 

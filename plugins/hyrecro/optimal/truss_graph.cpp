@@ -168,7 +168,7 @@ const KeptTruss::Leg& TrussGraph::walk(int from, int to) {
     leg.found = true;
     return leg;
   }
-  constexpr int kMore = 2;
+  constexpr int kMore = 3;
   if (!footing(from) || !footing(to)) return leg;
   const int most = kept_.legs.likely(at(from), at(to)) + kMore;
   for (int count = leg.least; count <= most && !leg.found; ++count)
