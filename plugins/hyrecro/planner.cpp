@@ -20,7 +20,7 @@ const PreparedTruss& truss_of(const PreparedScene& scene) { return dynamic_cast<
 truss::Truss read(const Scene& scene) {
   if (scene.path.empty()) throw InvalidScene("scene", "hyrecro climbs a truss; the request names no scene");
   if (scene.format == "yaml") return truss::read_truss(scene.path);
-  throw InvalidScene("scene", "hyrecro takes trusses in yaml, not in " + scene.format);
+  return truss::read_mesh(scene.path);
 }
 
 }  // namespace

@@ -232,6 +232,19 @@ TEST(Planner, ShowsTheRobotWhereItsFeetStand) {
   }
 }
 
+TEST(Planner, ClimbsWhatAMeshHolds) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "hyrecro_floor.obj";
+  std::ofstream(path) << "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+  const Parameters values = parameters({{"motion", "false"}});
+  const auto scene = shared_planner().prepare({"floor", "", "obj", path.string()}, values);
+  std::filesystem::remove(path);
+  const auto at = [](double x) { return sole_at({x, 0.5, 0.0}, Vector3d::UnitZ(), Vector3d::UnitX()); };
+  Collector out;
+  const PlanReport report = judged_plan(shared_planner(), request_between(at(0.3), at(1.5)), values, *scene, out);
+  EXPECT_EQ(report.outcome, Outcome::kReached) << report.message;
+  EXPECT_EQ(out.steps.size(), 3u);
+}
+
 TEST(Planner, SaysWhyNoWayLeadsToAnotherFace) {
   const SceneFile file(R"(kind: truss
 faces:
