@@ -42,7 +42,8 @@ std::optional<std::vector<Stride>> Legs::find(const Foothold& u, const Foothold&
   return chain_;
 }
 
-bool Legs::has_footing(const Foothold& u) {
+bool Legs::has_footing(const Foothold& u, bool thorough) {
+  std::vector<Foothold> around;
   for (const double distance : kFooting)
     for (int side = 0; side < 8; ++side) {
       const double to = quarter(u.heading) + side * 0.25 * std::numbers::pi;
@@ -51,10 +52,11 @@ bool Legs::has_footing(const Foothold& u) {
         if (!strides_.on_face(next)) continue;
         ++tried_;
         if (strides_.level(next, u)) return true;
+        around.push_back(next);
         if (heading == quarter(to)) break;
       }
     }
-  return false;
+  return thorough && std::any_of(around.begin(), around.end(), [&](const Foothold& next) { return strides_.exact(next, u); });
 }
 
 std::optional<Coordinates> Legs::judge(const Foothold& from, const Foothold& to, bool last) {

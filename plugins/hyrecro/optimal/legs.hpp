@@ -30,7 +30,8 @@ class Legs {
   int likely(const Foothold& u, const Foothold& v);
 
   // Whether any stride leads to `u` from around; what stands in a corner where none does has no legs at all.
-  bool has_footing(const Foothold& u);
+  // `thorough`: asked by exact reachability where the closed form finds none.
+  bool has_footing(const Foothold& u, bool thorough);
 
   // Exactly `count` strides from `u` to `v`, the last one to `v`; empty if none was found. Precondition: count >= least(u, v) > 0.
   std::optional<std::vector<Stride>> find(const Foothold& u, const Foothold& v, int count, const Banned& banned);

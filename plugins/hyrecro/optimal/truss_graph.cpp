@@ -145,7 +145,7 @@ double TrussGraph::second_to_goal(int node) {
 
 bool TrussGraph::footing(int node) {
   signed char& known = node < samples_ ? kept_.footing[static_cast<std::size_t>(node)] : own_footing_[node == start() ? 0 : 1];
-  if (known < 0) known = kept_.legs.has_footing(at(node)) ? 1 : 0;
+  if (known < 0) known = kept_.legs.has_footing(at(node), node >= samples_) ? 1 : 0;
   return known == 1;
 }
 
