@@ -61,7 +61,11 @@ Found plan_optimal(const Model& model, const PreparedTruss& scene, const Foothol
       out.failure = hemmed_in(scene, graph.at(end), field);
       return out;
     }
-  const SearchResult result = search_route(graph, options.max_nodes, stop);
+  SearchResult result = search_route(graph, options.max_nodes, stop);
+  if (result.outcome == SearchResult::Outcome::kNone && graph.guessed()) {
+    graph.stop_guessing();  // what is said to be unreachable is so without guesses
+    result = search_route(graph, options.max_nodes, stop);
+  }
   out.figures.push_back({"states", static_cast<double>(result.settled), 0.0, "1"});
   out.lower_bound = result.bound == kNever ? 0.0 : result.bound.first;
   switch (result.outcome) {

@@ -13,7 +13,6 @@ struct Effort {
   double weight = 1.0;   // of what is left to the goal: above 1 for any good route instead of the best
   std::size_t most = 0;  // evaluations
 };
-constexpr std::size_t kMostEvaluations = 20'000;
 constexpr double kGreed = 3.0;
 
 // Forward, lazily. A state is 2 * node + (departing ? 1 : 0).
@@ -157,12 +156,12 @@ SearchResult search_route(RouteGraph& graph, std::size_t max_settled, const std:
     return found;
   };
   using Outcome = SearchResult::Outcome;
-  out = search({false, 1.0, kMostEvaluations});
+  out = search({false, 1.0, graph.patience()});
   // Where so much is in the way that the best route would take long to find, a good one does.
   if (out.outcome == Outcome::kLimit && settled <= max_settled) out = search({false, kGreed, max_settled});
   // What was found out on the way has raised what can be proved.
   if (out.outcome == Outcome::kFound && out.bound.first < out.cost.first) {
-    const SearchResult proof = search({true, 1.0, kMostEvaluations});
+    const SearchResult proof = search({true, 1.0, graph.patience()});
     if (proof.outcome == Outcome::kStopped) return proof;
     out.bound = std::min(proof.outcome == Outcome::kFound ? proof.cost : proof.bound, out.cost);
   }

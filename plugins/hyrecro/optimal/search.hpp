@@ -53,6 +53,8 @@ class RouteGraph {
   // The first component counts strides: 1 for each transition.
   virtual bool counts() const = 0;
   virtual bool transition(int from, int to) = 0;
+  // How many legs and transitions are evaluated for the best route before a good one must do.
+  virtual std::size_t patience() const = 0;
   // Lower bounds of everything from the start to `node`, of the first component (consistent), and of everything from `node` to the
   // goal, of the second.
   virtual double from_start(int node) = 0;

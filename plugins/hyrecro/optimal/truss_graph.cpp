@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace foothold::hyrecro {
 namespace {
 
-constexpr double kSameLength = 1e-9;           // m
+constexpr double kSameLength = 1e-9;  // m
+constexpr double kCorner = 0.2;       // m: footholds this near each other share what is in their way
+constexpr int kToldByPair = 4;        // failures that tell of all others
+constexpr int kToldByCorner = 24;
+constexpr int kNeverBarred = -1;
 constexpr std::size_t kMostKept = 64'000'000;  // of the smallest things, one octet each; fewer of larger ones
 
 // m: tells routes apart that are equally long, so that the answer does not depend on what is known from earlier requests.
@@ -109,26 +114,36 @@ std::span<const int> TrussGraph::on_face(int face) const {
   return scene_.transitions.of_face(face);
 }
 
+// Of a large scene rows would take more memory and time than they save.
+const std::vector<std::uint8_t>* TrussGraph::row_of(int node) {
+  return node < samples_ && !kept_.large() ? &kept_.row(node) : nullptr;
+}
+
 // on_face() begins with the scene's footholds, in the order of a row.
-int TrussGraph::least(int node, const std::vector<std::uint8_t>* row, std::size_t index, int other) {
+int TrussGraph::least(int node, const std::vector<std::uint8_t>* row, std::size_t index, int other, double distance) {
+  if (kept_.large()) return kept_.strides.bounds().least_apart(distance);
   return row != nullptr && other < samples_ ? (*row)[index] : kept_.legs.least(at(node), at(other));
 }
 
 void TrussGraph::leg_bounds(int node, std::span<Cost> out) {
   const std::span<const int> there = on_face(face_of(node));
-  const std::vector<std::uint8_t>* row = node < samples_ ? &kept_.row(node) : nullptr;
+  const std::vector<std::uint8_t>* row = row_of(node);
   const Vector3d from = place(node);
-  for (std::size_t i = 0; i < there.size(); ++i)
-    out[i] = there[i] == node ? Cost{} : of(least(node, row, i, there[i]), (place(there[i]) - from).norm());
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    const double distance = (place(there[i]) - from).norm();
+    out[i] = there[i] == node ? Cost{} : of(least(node, row, i, there[i], distance), distance);
+  }
 }
 
 void TrussGraph::leg_firsts(int node, std::span<double> out) {
   const std::span<const int> there = on_face(face_of(node));
-  const std::vector<std::uint8_t>* row = node < samples_ ? &kept_.row(node) : nullptr;
+  const std::vector<std::uint8_t>* row = row_of(node);
   const bool steps = options_.objective == Objective::kSteps;
   const Vector3d from = place(node);
-  for (std::size_t i = 0; i < there.size(); ++i)
-    out[i] = there[i] == node ? 0.0 : steps ? least(node, row, i, there[i]) : (place(there[i]) - from).norm();
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    const double distance = (place(there[i]) - from).norm();
+    out[i] = there[i] == node ? 0.0 : steps ? least(node, row, i, there[i], distance) : distance;
+  }
 }
 
 double TrussGraph::from_start(int node) {
@@ -175,13 +190,52 @@ const KeptTruss::Leg& TrussGraph::walk(int from, int to) {
     if (auto found = kept_.legs.find(at(from), at(to), count, banned_)) {
       leg.found = true;
       leg.strides = std::move(*found);
+    } else if (count == 1 && !banned_) {
+      leg.least = 2;  // by exact reachability
     }
   return leg;
 }
 
+// Legs between the same two corners of a face mostly fail together, where a beam stands in the way, and so do all from or to a
+// corner that is hemmed in: after so many of them that all failed the others are taken to fail. This leaves routes out but proves
+// nothing: leg()'s proved costs do not ask it.
+bool TrussGraph::barred(int from, int to) const {
+  const auto fails = [this](std::uint64_t corners, int most) {
+    const auto known = failures_.find(corners);
+    return known != failures_.end() && known->second >= most;
+  };
+  const std::uint64_t a = corner(from), b = corner(to);
+  return fails(a << 32 | b, kToldByPair) || fails(a << 32, kToldByCorner) || fails(b, kToldByCorner);
+}
+
+void TrussGraph::tell(int from, int to, bool found) {
+  const std::uint64_t a = corner(from), b = corner(to);
+  for (const std::uint64_t corners : {a << 32 | b, a << 32, b}) {
+    int& failures = failures_[corners];
+    if (failures >= 0) failures = found ? kNeverBarred : failures + 1;
+  }
+}
+
+// Where on its face a foothold stands, and whether along or across; never 0.
+std::uint32_t TrussGraph::corner(int node) const {
+  const Foothold& foothold = at(node);
+  const auto cell = [](double place) { return static_cast<std::uint32_t>(std::lround(place / kCorner)) & 0xff; };
+  const auto across = static_cast<std::uint32_t>(std::lround(foothold.heading / (0.5 * std::numbers::pi))) & 1;
+  return (static_cast<std::uint32_t>(foothold.face) + 1) << 17 | cell(foothold.at.x()) << 9 | cell(foothold.at.y()) << 1 | across;
+}
+
 Cost TrussGraph::leg(int from, int to, bool proved) {
+  const double straight_way = (at(to).at - at(from).at).norm();
+  if (proved) {
+    const int least = kept_.legs.least(at(from), at(to));
+    return of(least == 1 ? walk(from, to).least : least, straight_way);
+  }
+  if (guesses_ && barred(from, to)) {
+    guessed_ = true;
+    return kNever;
+  }
   const KeptTruss::Leg& leg = walk(from, to);
-  if (proved) return of(leg.least, (at(to).at - at(from).at).norm());
+  tell(from, to, leg.found);
   if (!leg.found) return kNever;
   double length = 0.0;
   Vector2d before = at(from).at;
@@ -189,8 +243,7 @@ Cost TrussGraph::leg(int from, int to, bool proved) {
     length += (stride.to.at - before).norm();
     before = stride.to.at;
   }
-  const double straight = (at(to).at - at(from).at).norm();
-  return of(static_cast<int>(leg.strides.size()), length < straight + kSameLength ? straight : length);
+  return of(static_cast<int>(leg.strides.size()), length < straight_way + kSameLength ? straight_way : length);
 }
 
 // `end`: start or goal. What may be reached from it, and it from there.

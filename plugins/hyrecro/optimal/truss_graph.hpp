@@ -70,6 +70,7 @@ class TrussGraph final : public RouteGraph {
   Cost cost(int node, const Transition& transition) const override;
   bool counts() const override { return options_.objective == Objective::kSteps; }
   bool transition(int from, int to) override;
+  std::size_t patience() const override { return kept_.large() ? 2'000 : 20'000; }
   void leg_firsts(int node, std::span<double> out) override;
   double from_start(int node) override;
   double second_to_goal(int node) override;
@@ -77,6 +78,9 @@ class TrussGraph final : public RouteGraph {
   const Foothold& at(int node) const;
   // Whether any stride leads away from `end`, start or goal. A quick look before a search that may be long.
   bool hemmed_in(int end);
+  // Whether legs were taken to fail for others that had (see barred()); from stop_guessing() on none is.
+  bool guessed() const { return guessed_; }
+  void stop_guessing() { guesses_ = false; }
   // Of a hop that leg() or transition() has found possible.
   std::vector<Stride> strides_of(const Hop& hop);
 
@@ -88,7 +92,11 @@ class TrussGraph final : public RouteGraph {
   const std::optional<Coordinates>& judge(int from, int to);
   void list_own(int end);
   bool footing(int node);
-  int least(int node, const std::vector<std::uint8_t>* row, std::size_t index, int other);
+  bool barred(int from, int to) const;
+  void tell(int from, int to, bool found);
+  std::uint32_t corner(int node) const;
+  const std::vector<std::uint8_t>* row_of(int node);
+  int least(int node, const std::vector<std::uint8_t>* row, std::size_t index, int other, double distance);
 
   const Model& model_;
   const PreparedTruss& scene_;
@@ -103,6 +111,8 @@ class TrussGraph final : public RouteGraph {
   std::unordered_map<int, std::vector<Transition>> own_lists_;    // of start and goal; of footholds: those two alone
   std::unordered_map<std::uint64_t, KeptTruss::Leg> own_walked_;  // with start, goal or bans
   std::unordered_map<std::uint64_t, std::optional<Coordinates>> own_judged_;
+  bool guesses_ = true, guessed_ = false;
+  std::unordered_map<std::uint64_t, int> failures_;  // of legs: between two corners of a face, from one, to one
 };
 
 }  // namespace foothold::hyrecro

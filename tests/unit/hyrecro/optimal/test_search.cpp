@@ -52,6 +52,7 @@ class RandomGraph final : public RouteGraph {
   }
   Cost cost(int, const Transition& transition) const override { return {1.0, transition.distance}; }
   bool counts() const override { return true; }
+  std::size_t patience() const override { return 20'000; }
   bool transition(int from, int to) override { return possible_.at({from, to}); }
   void leg_firsts(int node, std::span<double> out) override {
     const auto there = on_face(face_of(node));
