@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "hyrecro/check/check.hpp"
+#include "hyrecro/for_a_while.hpp"
 #include "hyrecro/motion/lift.hpp"
 #include "hyrecro/posture.hpp"
 #include "hyrecro/report.hpp"
@@ -14,6 +15,7 @@ namespace foothold::hyrecro {
 namespace {
 
 constexpr std::size_t kWorkspacesKept = 4;
+constexpr double kSharedWithPaper = 0.5;
 
 const PreparedTruss& truss_of(const PreparedScene& scene) { return dynamic_cast<const PreparedTruss&>(scene); }
 
@@ -83,9 +85,33 @@ Posture HyrecroPlanner::start(const Request& request, const Parameters& paramete
   return out;
 }
 
+// What is not proved may be behind the paper's method, which is asked then, for half of the budget (s) at most. With motions it is
+// not: its strides leave no room to lift.
+Found HyrecroPlanner::optimal(const Options& options, const PreparedTruss& scene, const Grip& from, const Foothold& goal,
+                              double budget, const std::stop_token& stop) {
+  Found ours = plan_optimal(model_, scene, from.at, goal, options.optimal, stop, {});
+  if (options.motion || options.optimal.objective != Objective::kSteps || ours.optimal || ours.outcome == Found::Outcome::kStopped)
+    return ours;
+  const ForAWhile while_left(kSharedWithPaper * budget, stop);
+  if (!scene.as_paper) {
+    SamplingOptions sampling = options.sampling;
+    sampling.both_headings = false;
+    scene.as_paper = std::make_unique<const PreparedTruss>(model_, scene.truss, sampling, scene.clearance);
+  }
+  scene.as_paper->workspace = workspace(options, while_left.token());
+  if (!scene.as_paper->workspace) return ours;
+  Found papers = plan_paper(model_, *scene.as_paper, exact(scene.clearance), from.at, goal, options.paper, while_left.token(), {});
+  const bool better =
+      papers.outcome == Found::Outcome::kReached && (ours.outcome != Found::Outcome::kReached || papers.cost < ours.cost);
+  if (!better) return ours;
+  papers.lower_bound = std::min(ours.lower_bound, papers.cost);
+  papers.objective = ours.objective + "; these strides are the paper's method's";
+  return papers;
+}
+
 Found HyrecroPlanner::search(const Options& options, const PreparedTruss& scene, const Grip& from, const Foothold& goal,
-                             PlanContext& context) const {
-  if (options.method == Method::kOptimal) return plan_optimal(model_, scene, from.at, goal, options.optimal, context.stop, {});
+                             double budget, PlanContext& context) {
+  if (options.method == Method::kOptimal) return optimal(options, scene, from, goal, budget, context.stop);
   std::unique_ptr<Reachability> other;
   if (options.reachability == ReachabilityKind::kNetwork) other = make_network(model_);
   if (options.reachability == ReachabilityKind::kIterative)
@@ -104,7 +130,9 @@ PlanReport HyrecroPlanner::plan(const Request& request, const Parameters& parame
     truss.workspace = workspace(options, context.stop);
     if (!truss.workspace) return stopped_report();
   }
-  const Search searched = [&](const Options& with, const Grip& grip) { return search(with, truss, grip, goal, context); };
+  const Search searched = [&](const Options& with, const Grip& grip) {
+    return search(with, truss, grip, goal, request.budget, context);
+  };
   const Travel travel = plan_travel(model_, truss, options, from, searched, context);
   if (travel.stopped) return stopped_report();
   if (!travel.found) return failed_report(travel.failure);

@@ -41,8 +41,10 @@ class HyrecroPlanner final : public Planner {
   // One for a robot on one foot, one for each foot that may stay for one on both: then in a posture from which either foot can rise
   // by `lift` (m), if there is one.
   std::vector<Beginning> beginnings(const Request& request, const PreparedTruss& scene, double lift) const;
-  Found search(const Options& options, const PreparedTruss& scene, const Grip& from, const Foothold& goal,
-               PlanContext& context) const;
+  Found search(const Options& options, const PreparedTruss& scene, const Grip& from, const Foothold& goal, double budget,
+               PlanContext& context);
+  Found optimal(const Options& options, const PreparedTruss& scene, const Grip& from, const Foothold& goal, double budget,
+                const std::stop_token& stop);
 
   Model model_;
   struct WorkspaceKey {

@@ -4,9 +4,12 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <fstream>
+#include <mutex>
 #include <numbers>
 #include <random>
+#include <thread>
 
 #include "hyrecro/schema.hpp"
 
@@ -67,9 +70,21 @@ Timed timed_plan(hyrecro::HyrecroPlanner& planner, const Request& request, const
   Counter counter;
   counter.random.seed(request.seed);
   Timed out;
-  const auto begin = std::chrono::steady_clock::now();
-  out.report = planner.plan(request, parameters, scene, counter);
-  out.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  {
+    // As the server does when a budget ends.
+    std::stop_source budget;
+    counter.stop = budget.get_token();
+    const std::jthread watch([&](const std::stop_token& done) {
+      std::mutex mutex;
+      std::unique_lock lock(mutex);
+      std::condition_variable_any waiting;
+      waiting.wait_for(lock, done, std::chrono::duration<double>(request.budget), [] { return false; });
+      if (!done.stop_requested()) budget.request_stop();
+    });
+    const auto begin = std::chrono::steady_clock::now();
+    out.report = planner.plan(request, parameters, scene, counter);
+    out.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  }
   out.steps = counter.steps;
   return out;
 }

@@ -27,7 +27,7 @@ struct Timed {
   std::size_t steps = 0;
 };
 
-// Plans once; the steps are counted and dropped. Used by one thread.
+// Plans once, for request.budget at most; the steps are counted and dropped. Used by one thread.
 Timed timed_plan(hyrecro::HyrecroPlanner& planner, const Request& request, const Parameters& parameters,
                  const PreparedScene& scene);
 
