@@ -19,7 +19,7 @@ namespace foothold::hyrecro {
 inline constexpr double kPreference = 1e-7;
 
 // Transition footholds, from which on a scene counts as large.
-inline constexpr std::size_t kLarge = 12'000;
+inline constexpr std::size_t kLarge = 50'000;
 
 // What later requests find again. Transition footholds by their index in Transitions::all().
 struct KeptTruss final : PreparedTruss::Kept {
