@@ -112,7 +112,8 @@ void Jobs::give_up(Job& job) {
   push(job.request.id(), job.last);
 }
 
-// Steps go first: they are what a client waits for, and the order between the two topics is free.
+// Steps go first: they are what a client waits for, and the order between the two topics is free. Answers go last: they give the
+// state as it is now, which a client must not hear before the change that led to it.
 void Jobs::flush() {
   std::unordered_set<Id, msg::IdHash> over;  // what has ended by now need not be said to run (P8)
   for (const Outgoing& out : outgoing_) {
@@ -123,12 +124,11 @@ void Jobs::flush() {
   const auto outdated = [&](const Told& told) {
     return told.event->state() == msg::RUNNING && told.event->scene().empty() && over.contains(told.request);
   };
-  for (const Outgoing& out : outgoing_) {
-    if (const auto* told = std::get_if<Told>(&out)) {
-      if (!outdated(*told)) ports_.outbox.event(told->event->client(), *told->event);
-    }
+  for (const Outgoing& out : outgoing_)
+    if (const auto* told = std::get_if<Told>(&out); told != nullptr && !outdated(*told))
+      ports_.outbox.event(told->event->client(), *told->event);
+  for (const Outgoing& out : outgoing_)
     if (const auto* asked = std::get_if<Asked>(&out)) answer(*asked);
-  }
   outgoing_.clear();
   urgent_ = false;
 }

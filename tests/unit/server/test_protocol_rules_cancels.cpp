@@ -134,6 +134,24 @@ TEST(P12, ASecondCancelIsAnsweredWithTheCurrentState) {
   EXPECT_EQ(world.events(request.id()).size(), 2U);
 }
 
+TEST(P12, ASecondCancelInTheBatchOfTheEndIsAnsweredAfterTheEnd) {
+  World world;
+  const auto request = good_request();
+  world.submit(request);
+  world.cancel(request.id());
+  world.forget_messages();
+  msg::CancelRequest again;
+  again.id(request.id());
+  again.client(World::kClient);
+  world.jobs->cancel(again);  // not settled: what follows is of the same batch
+  world.end(request.id(), msg::CANCELLED);
+  const auto events = world.events(request.id());
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events[0].state(), msg::CANCELLED);
+  EXPECT_FALSE(events[0].answer());
+  EXPECT_TRUE(events[1].answer());
+}
+
 TEST(P12, ACancelOfARequestWhoseBudgetIsOverChangesNothing) {
   World world;
   const auto request = good_request();
