@@ -90,7 +90,9 @@ Posture HyrecroPlanner::start(const Request& request, const Parameters& paramete
 Found HyrecroPlanner::optimal(const Options& options, const PreparedTruss& scene, const Grip& from, const Foothold& goal,
                               double budget, const std::stop_token& stop) {
   Found ours = plan_optimal(model_, scene, from.at, goal, options.optimal, stop, {});
-  if (options.motion || options.optimal.objective != Objective::kSteps || ours.optimal || ours.outcome == Found::Outcome::kStopped)
+  const bool among_all = scene.transitions.all().size() <= kLarge;
+  if (options.motion || options.optimal.objective != Objective::kSteps || (ours.optimal && among_all) ||
+      ours.outcome == Found::Outcome::kStopped)
     return ours;
   const ForAWhile while_left(kSharedWithPaper * budget, stop);
   if (!scene.as_paper) {
@@ -104,7 +106,7 @@ Found HyrecroPlanner::optimal(const Options& options, const PreparedTruss& scene
   const bool better =
       papers.outcome == Found::Outcome::kReached && (ours.outcome != Found::Outcome::kReached || papers.cost < ours.cost);
   if (!better) return ours;
-  papers.lower_bound = std::min(ours.lower_bound, papers.cost);
+  papers.lower_bound = among_all ? std::min(ours.lower_bound, papers.cost) : 0.0;
   papers.objective = ours.objective + "; these strides are the paper's method's";
   return papers;
 }

@@ -8,6 +8,10 @@
 
 namespace foothold::hyrecro {
 
+// Transition footholds, from which on a scene counts as large: then only transitions between opposite ones are looked at, and what
+// is proved is proved among those (`objective` says so).
+inline constexpr std::size_t kLarge = 50'000;
+
 struct OptimalOptions {
   Objective objective = Objective::kSteps;
   std::size_t max_nodes = 1'000'000;  // of the search, before it gives up (NODE_LIMIT)

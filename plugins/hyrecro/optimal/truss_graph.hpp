@@ -18,9 +18,6 @@ namespace foothold::hyrecro {
 // m: at most so much is added to the length of a transition for each of its ends, to tell equally long routes apart.
 inline constexpr double kPreference = 1e-7;
 
-// Transition footholds, from which on a scene counts as large.
-inline constexpr std::size_t kLarge = 50'000;
-
 // What later requests find again. Transition footholds by their index in Transitions::all().
 struct KeptTruss final : PreparedTruss::Kept {
   KeptTruss(const Model& model, const PreparedTruss& scene);
