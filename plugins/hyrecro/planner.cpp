@@ -78,7 +78,10 @@ std::vector<Beginning> HyrecroPlanner::beginnings(const Request& request, const 
 
 Posture HyrecroPlanner::start(const Request& request, const Parameters& parameters, const PreparedScene& scene) const {
   const PreparedTruss& truss = truss_of(scene);
-  const std::vector<Beginning> from = beginnings(request, truss, read_options(parameters).optimal.lift);
+  return standing(beginnings(request, truss, read_options(parameters).optimal.lift), truss);
+}
+
+Posture HyrecroPlanner::standing(const std::vector<Beginning>& from, const PreparedTruss& truss) const {
   const Beginning& first = from.front();
   Posture out = posture_of(model_, first.coordinates, first.holding.foot, pose_of(truss.truss, first.holding.at));
   for (const Beginning& beginning : from) out.stance.push_back(to_contact(truss.truss, beginning.holding));
@@ -139,8 +142,7 @@ PlanReport HyrecroPlanner::plan(const Request& request, const Parameters& parame
   if (travel.stopped) return stopped_report();
   if (!travel.found) return failed_report(travel.failure);
 
-  const Posture before = start(request, parameters, scene);
-  std::vector<double> joints = before.joints;
+  std::vector<double> joints = standing(from, truss).joints;
   Grip holding = travel.beginning.holding;
   const std::vector<double> costs = costs_of(*travel.found, options, truss.truss);
   for (std::size_t k = 0; k < travel.found->route.strides.size(); ++k) {

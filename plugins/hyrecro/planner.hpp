@@ -41,6 +41,7 @@ class HyrecroPlanner final : public Planner {
   // One for a robot on one foot, one for each foot that may stay for one on both: then in a posture from which either foot can rise
   // by `lift` (m), if there is one.
   std::vector<Beginning> beginnings(const Request& request, const PreparedTruss& scene, double lift) const;
+  Posture standing(const std::vector<Beginning>& from, const PreparedTruss& truss) const;
   Found search(const Options& options, const PreparedTruss& scene, const Grip& from, const Foothold& goal, double budget,
                PlanContext& context);
   Found optimal(const Options& options, const PreparedTruss& scene, const Grip& from, const Foothold& goal, double budget,

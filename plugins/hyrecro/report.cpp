@@ -2,6 +2,7 @@
 #include "hyrecro/report.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "hyrecro/steps.hpp"
 
@@ -17,19 +18,15 @@ PlanReport report_of(const Found& found, const Options& options, const truss::Tr
   report.objective = found.objective;
 
   int transitions = 0;
-  double length = 0.0;
-  Foothold before = found.route.start;
-  for (const Stride& stride : found.route.strides) {
-    if (stride.to.face != before.face) ++transitions;
-    length += (pose_of(truss, stride.to).translation() - pose_of(truss, before).translation()).norm();
-    before = stride.to;
-  }
+  int face = found.route.start.face;
+  for (const Stride& stride : found.route.strides)
+    if (std::exchange(face, stride.to.face) != stride.to.face) ++transitions;
   const auto add = [&](const char* name, double value, double least, const char* unit) {
     report.figures.push_back({name, value, least, unit});
   };
   add("strides", static_cast<double>(found.route.strides.size()), 0.0, "1");
   add("transitions", transitions, 0.0, "1");
-  add("length", length, 0.0, "m");
+  add("length", length_of(truss, found.route), 0.0, "m");
   report.figures.insert(report.figures.end(), found.figures.begin(), found.figures.end());
   add("search", times.search, 0.0, "ms");
   if (options.motion) add("motion", times.motion, 0.0, "ms");

@@ -4,13 +4,11 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <condition_variable>
 #include <fstream>
-#include <mutex>
 #include <numbers>
 #include <random>
-#include <thread>
 
+#include "hyrecro/for_a_while.hpp"
 #include "hyrecro/schema.hpp"
 
 namespace foothold::bench {
@@ -72,15 +70,8 @@ Timed timed_plan(hyrecro::HyrecroPlanner& planner, const Request& request, const
   Timed out;
   {
     // As the server does when a budget ends.
-    std::stop_source budget;
-    counter.stop = budget.get_token();
-    const std::jthread watch([&](const std::stop_token& done) {
-      std::mutex mutex;
-      std::unique_lock lock(mutex);
-      std::condition_variable_any waiting;
-      waiting.wait_for(lock, done, std::chrono::duration<double>(request.budget), [] { return false; });
-      if (!done.stop_requested()) budget.request_stop();
-    });
+    const hyrecro::ForAWhile budget(request.budget, {});
+    counter.stop = budget.token();
     const auto begin = std::chrono::steady_clock::now();
     out.report = planner.plan(request, parameters, scene, counter);
     out.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();

@@ -30,8 +30,6 @@ Isometry3d isometry(const Eigen::Matrix3d& rotation, const Vector3d& translation
   return out;
 }
 
-double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
-
 }  // namespace
 
 const char* name_of(Foot foot) { return foot == Foot::kA ? "A" : "B"; }

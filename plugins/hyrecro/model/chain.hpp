@@ -8,6 +8,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -35,6 +37,9 @@ const char* name_of(Foot foot);  // "A", "B"
 
 // The same posture seen from the other foot: legs change places, both hip angles grow by pi (and are taken into (-pi, pi]).
 Coordinates swapped(const Coordinates& coordinates);
+
+// Into [-pi, pi], rad.
+inline double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
 
 // Pose of sole 1 seen from sole 0.
 Isometry3d forward(const Model& model, const Coordinates& coordinates);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace foothold::hyrecro {
 namespace {
@@ -13,8 +12,6 @@ using Eigen::Vector2d;
 constexpr int kCells = 64;  // of the table; narrow where the shift is nearly the greatest
 // Where in the interval of heights that both shifts leave, in turn.
 constexpr std::array<double, 4> kHeights{0.5, 0.9, 0.1, 0.7};
-
-double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
 
 }  // namespace
 

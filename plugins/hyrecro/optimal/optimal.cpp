@@ -36,13 +36,7 @@ void hold_costs(const PreparedTruss& scene, const OptimalOptions& options, const
   out.cost = result.cost.first;
   out.lower_bound = result.bound.first;
   if (options.objective == Objective::kDistance) {
-    out.cost = 0.0;
-    Vector3d before = pose_of(scene.truss, out.route.start).translation();
-    for (const Stride& stride : out.route.strides) {
-      const Vector3d at = pose_of(scene.truss, stride.to).translation();
-      out.cost += (at - before).norm();
-      before = at;
-    }
+    out.cost = length_of(scene.truss, out.route);
     out.lower_bound -= 2.0 * kPreference * static_cast<double>(out.route.strides.size());
   }
   out.lower_bound = out.optimal ? out.cost : std::min(out.lower_bound, out.cost);

@@ -140,9 +140,14 @@ void TrussGraph::leg_firsts(int node, std::span<double> out) {
   const std::vector<std::uint8_t>* row = row_of(node);
   const bool steps = options_.objective == Objective::kSteps;
   const Vector3d from = place(node);
+  const auto distance = [&](std::size_t i) { return (place(there[i]) - from).norm(); };
   for (std::size_t i = 0; i < there.size(); ++i) {
-    const double distance = (place(there[i]) - from).norm();
-    out[i] = there[i] == node ? 0.0 : steps ? least(node, row, i, there[i], distance) : distance;
+    if (there[i] == node)
+      out[i] = 0.0;
+    else if (!steps)
+      out[i] = distance(i);
+    else  // a row knows without the distance
+      out[i] = least(node, row, i, there[i], kept_.large() ? distance(i) : 0.0);
   }
 }
 

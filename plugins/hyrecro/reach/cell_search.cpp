@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "collision/distance.hpp"
 #include "hyrecro/reach/inverse.hpp"
@@ -20,8 +19,6 @@ constexpr std::size_t kClimbers = 96;
 // The first climb: from so many cells, on the grid of this level, until there is as much room (m).
 constexpr std::size_t kFirstClimbs = 6, kClimbLevel = 6;
 constexpr double kRoomy = 0.01;
-
-double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
 
 }  // namespace
 

@@ -12,8 +12,6 @@ namespace {
 // Rounding may take a value at its limit this far (m, or the sine of an angle) beyond it.
 constexpr double kRounding = 1e-11;
 
-double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
-
 // |sin| of the angle between the soles' Z axes.
 double sine_between(const PaperPose& pose) { return std::hypot(pose.r(0, 2), pose.r(1, 2)); }
 

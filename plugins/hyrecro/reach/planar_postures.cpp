@@ -36,8 +36,6 @@ double height_on_curve(const Model& model, const Offset& y, double shift) {
   return length(low) * std::cos(low);
 }
 
-double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
-
 }  // namespace
 
 Isometry3d to_isometry(const PlanarPose& pose) {

@@ -10,8 +10,6 @@
 namespace foothold::hyrecro {
 namespace {
 
-double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
-
 // A leg turned by half a turn about its sole's normal is the same leg with its angles reversed.
 Leg reversed(const Leg& leg) { return {-leg.phi1, leg.y1, -leg.phi2, leg.y2}; }
 

@@ -15,6 +15,17 @@ Isometry3d pose_of(const truss::Truss& truss, const Foothold& foothold) {
   return pose;
 }
 
+double length_of(const truss::Truss& truss, const Route& route) {
+  double length = 0.0;
+  Vector3d before = pose_of(truss, route.start).translation();
+  for (const Stride& stride : route.strides) {
+    const Vector3d at = pose_of(truss, stride.to).translation();
+    length += (at - before).norm();
+    before = at;
+  }
+  return length;
+}
+
 std::array<Vector2d, 4> footprint(const Model& model, const Foothold& foothold) {
   const Vector2d forward = 0.5 * model.plate.x() * Vector2d(std::cos(foothold.heading), std::sin(foothold.heading));
   const Vector2d left = 0.5 * model.plate.y() * Vector2d(-std::sin(foothold.heading), std::cos(foothold.heading));

@@ -42,6 +42,9 @@ struct Route {
   std::vector<Stride> strides;
 };
 
+// Way of the feet, m: from each foothold straight to the next. Any thread.
+double length_of(const truss::Truss& truss, const Route& route);
+
 // Why there is no route. `field` names the request's field if that is to blame.
 struct Failure {
   PlanError error = PlanError::kNone;

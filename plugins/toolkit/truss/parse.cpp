@@ -1,60 +1,29 @@
 // YAML to a layout that can be relied on.
-#include <yaml-cpp/yaml.h>
-
-#include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <initializer_list>
 #include <set>
-#include <sstream>
 
-#include "foothold/errors.hpp"
+#include "geometry/scene_yaml.hpp"
 #include "truss/layout.hpp"
 
 namespace foothold::truss {
 namespace {
 
-constexpr double kFarthest = 1e4;            // m: beyond that millimetres are lost to rounding
+using geometry::at;
+using geometry::demand_keys;
+using geometry::demand_kind;
+using geometry::fail;
+using geometry::number;
+using geometry::word;
+
 constexpr double kShortest = 1e-6;           // m, of beams and profiles
 constexpr double kTolerance = 1e-6;          // m, rad: of planes and unit vectors
 constexpr double kLeastArea = 1e-12;         // m^2: less is a line drawn twice
 constexpr std::size_t kMostVertices = 1000;  // of a face: its checks and pieces take the square of it and more
 constexpr double kLeastSideways = 1e-3;      // of `up`: sine of its angle to the beam
 
-[[noreturn]] void fail(const YAML::Node& node, const std::string& field, const std::string& reason) {
-  throw InvalidScene(field, "line " + std::to_string(node.Mark().line + 1) + ": " + reason);
-}
-
-std::string at(const std::string& field, std::size_t k) { return field + "[" + std::to_string(k) + "]"; }
-
-void demand_keys(const YAML::Node& node, const std::string& field, std::initializer_list<const char*> known) {
-  if (!node.IsMap()) fail(node, field, "must be a map");
-  std::set<std::string> seen;
-  for (const auto& entry : node) {
-    const auto key = entry.first.as<std::string>("");
-    const std::string path = field.empty() ? key : field + "." + key;
-    if (std::none_of(known.begin(), known.end(), [&](const char* k) { return key == k; }))
-      fail(entry.first, path, "is not a known key");
-    if (!seen.insert(key).second) fail(entry.first, path, "is given twice");
-  }
-}
-
 YAML::Node demand(const YAML::Node& node, const std::string& field, const char* key) {
   YAML::Node value = node[key];
   if (!value) fail(node, field + "." + key, "is missing");
-  return value;
-}
-
-std::string word(const YAML::Node& node, const std::string& field) {
-  if (!node.IsScalar()) fail(node, field, "must be a word");
-  return node.Scalar();
-}
-
-double number(const YAML::Node& node, const std::string& field, const char* what) {
-  double value = 0.0;
-  if (!node.IsScalar() || !YAML::convert<double>::decode(node, value)) fail(node, field, std::string("must be a number") + what);
-  if (!std::isfinite(value)) fail(node, field, "must be finite, is " + node.Scalar());
-  if (std::abs(value) > kFarthest) fail(node, field, "must be within 10000 m, is " + node.Scalar());
   return value;
 }
 
@@ -149,9 +118,7 @@ void each(const YAML::Node& root, const char* key, Read&& read) {
 
 Layout layout(const YAML::Node& root) {
   demand_keys(root, "", {"kind", "description", "beams", "faces"});
-  if (!root["kind"]) fail(root, "kind", "is missing; this reader takes 'truss'");
-  if (const std::string kind = word(root["kind"], "kind"); kind != "truss")
-    fail(root["kind"], "kind", "must be truss, is '" + kind + "'");
+  demand_kind(root, "truss");
   Layout out;
   if (root["description"]) out.description = word(root["description"], "description");
   std::set<std::string> taken;
@@ -163,21 +130,10 @@ Layout layout(const YAML::Node& root) {
 
 }  // namespace
 
-Layout parse_layout(const std::string& text) {
-  try {
-    return layout(YAML::Load(text));
-  } catch (const YAML::Exception& fault) {
-    throw InvalidScene("", "line " + std::to_string(fault.mark.line + 1) + ": " + fault.msg);
-  }
-}
+Layout parse_layout(const std::string& text) { return geometry::read_yaml(text, layout); }
 
 Truss parse_truss(const std::string& text) { return build(parse_layout(text)); }
 
-Truss read_truss(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) throw InvalidScene("", "the scene file cannot be read");
-  return parse_truss(text.str());
-}
+Truss read_truss(const std::string& path) { return parse_truss(geometry::text_of_scene(path)); }
 
 }  // namespace foothold::truss

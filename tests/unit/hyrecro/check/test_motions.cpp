@@ -8,28 +8,7 @@
 namespace foothold::hyrecro {
 namespace {
 
-class CheckOfMotions : public testing::Test {
- protected:
-  StepVerdict verdict(const Walk& walk) const {
-    return check_step(model_, truss_, Obstacles(truss_), options_, walk.step, walk.before);
-  }
-  std::string reason_after(const std::function<void(Walk&)>& change) const {
-    Walk changed = right_;
-    change(changed);
-    const StepVerdict is = verdict(changed);
-    return is.accepted ? "accepted" : is.reason;
-  }
-  void expect_reason(const char* part, const std::function<void(Walk&)>& change) const {
-    const std::string reason = reason_after(change);
-    EXPECT_NE(reason.find(part), std::string::npos) << "expected '" << part << "', got: " << reason;
-  }
-
-  const Model model_ = shipped_model();
-  truss::Truss truss_ = floor_scene();
-  CheckOptions options_;
-  const Level from_{{0.05, -0.03}, {0.28, 0.28}, {0.2, -0.3}}, to_{{0.08, -0.06}, {0.29, 0.29}, {-0.5, 0.4}};
-  const Walk right_ = walk(model_, Foot::kA, Isometry3d(Eigen::Translation3d(0.2, 0.1, 0.0)), from_, to_, 10);
-};
+using CheckOfMotions = CheckOfWalks;
 
 TEST_F(CheckOfMotions, AcceptsRightOnesOfEitherFoot) {
   EXPECT_EQ(reason_after([](Walk&) {}), "accepted");

@@ -9,32 +9,10 @@
 namespace foothold::hyrecro {
 namespace {
 
-class CheckOfSteps : public testing::Test {
+// Without a motion.
+class CheckOfSteps : public CheckOfWalks {
  protected:
-  StepVerdict verdict(const Walk& walk) const {
-    return check_step(model_, truss_, Obstacles(truss_), CheckOptions{}, walk.step, walk.before);
-  }
-
-  // A right step, changed; the reason of its refusal.
-  std::string reason_after(const std::function<void(Walk&)>& change) const {
-    Walk changed = right_;
-    change(changed);
-    const StepVerdict is = verdict(changed);
-    return is.accepted ? "accepted" : is.reason;
-  }
-  void expect_reason(const char* part, const std::function<void(Walk&)>& change) const {
-    const std::string reason = reason_after(change);
-    EXPECT_NE(reason.find(part), std::string::npos) << "expected '" << part << "', got: " << reason;
-  }
-
-  const Model model_ = shipped_model();
-  truss::Truss truss_ = floor_scene();
-  const Level from_{{0.05, -0.03}, {0.28, 0.28}, {0.2, -0.3}}, to_{{0.08, -0.06}, {0.29, 0.29}, {-0.5, 0.4}};
-  const Walk right_ = [this] {
-    Walk out = walk(model_, Foot::kA, Isometry3d(Eigen::Translation3d(0.2, 0.1, 0.0)), from_, to_, 10);
-    out.step.motion.clear();
-    return out;
-  }();
+  CheckOfSteps() { right_.step.motion.clear(); }
 };
 
 TEST_F(CheckOfSteps, AcceptsRightOnesOfEitherFoot) {

@@ -119,4 +119,16 @@ Isometry3d Levels::foothold() {
   return out;
 }
 
+std::string CheckOfWalks::reason_after(const std::function<void(Walk&)>& change) const {
+  Walk changed = right_;
+  change(changed);
+  const StepVerdict is = verdict(changed);
+  return is.accepted ? "accepted" : is.reason;
+}
+
+void CheckOfWalks::expect_reason(const char* part, const std::function<void(Walk&)>& change) const {
+  const std::string reason = reason_after(change);
+  EXPECT_NE(reason.find(part), std::string::npos) << "expected '" << part << "', got: " << reason;
+}
+
 }  // namespace foothold::hyrecro

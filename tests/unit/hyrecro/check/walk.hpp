@@ -1,6 +1,9 @@
 // Right steps on a floor, made by hand: both legs' mechanisms bent against each other, so that the hip plate stays level.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <functional>
 #include <random>
 #include <string>
 
@@ -32,6 +35,23 @@ struct Walk {
 // Foot `holds` stands at `held`, the other goes from where `from` puts it to where `to` puts it. The motion lifts it by 21 mm,
 // carries it over in `pieces` straight pieces, and sets it down.
 Walk walk(const Model& model, Foot holds, const Isometry3d& held, const Level& from, const Level& to, int pieces);
+
+// A right step on the floor, changed in one way or another, and what the judge says of it.
+class CheckOfWalks : public testing::Test {
+ protected:
+  StepVerdict verdict(const Walk& walk) const {
+    return check_step(model_, truss_, Obstacles(truss_), options_, walk.step, walk.before);
+  }
+  // "accepted", or the reason of the refusal.
+  std::string reason_after(const std::function<void(Walk&)>& change) const;
+  void expect_reason(const char* part, const std::function<void(Walk&)>& change) const;
+
+  const Model model_ = shipped_model();
+  truss::Truss truss_ = floor_scene();
+  CheckOptions options_;
+  const Level from_{{0.05, -0.03}, {0.28, 0.28}, {0.2, -0.3}}, to_{{0.08, -0.06}, {0.29, 0.29}, {-0.5, 0.4}};
+  Walk right_ = walk(model_, Foot::kA, Isometry3d(Eigen::Translation3d(0.2, 0.1, 0.0)), from_, to_, 10);
+};
 
 // Random levels that can be lifted, and a random foothold on the floor.
 class Levels {
