@@ -1,0 +1,59 @@
+// How the octopod stands over a node of the terrain (paper, section 5.1).
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "octopod/model/body.hpp"
+
+namespace foothold::terrain {
+class Surface;
+}
+
+namespace foothold::octopod {
+
+// Where a foot stands: a point of the surface, the normal that faces up there, and the triangle.
+struct Footing {
+  Vector3d point = Vector3d::Zero();
+  Vector3d normal = Vector3d::UnitZ();
+  int triangle = -1;
+};
+
+// The robot with all eight feet on the surface.
+struct Standing {
+  Coordinates at;
+  std::array<Footing, kLegs> feet{};
+  Vector3d centre_of_mass = Vector3d::Zero();  // m, world
+  double residual = 0.0;                       // m, greatest distance of a foot from its footing
+};
+
+enum class Hindrance { kNone, kNoGround, kOutOfReach, kNotConverged, kCollision };
+
+// A standing robot, or why there is none: which leg, and the figure in a sentence made by reason().
+struct Built {
+  Standing standing;
+  Hindrance hindrance = Hindrance::kNone;
+  int leg = -1;         // of kNoGround, kOutOfReach, kCollision (-1: a body)
+  double figure = 0.0;  // m, such as how far out of reach
+};
+std::string reason(const Built& built);
+
+// One of four axes 45 degrees apart in the node's plane (paper: ep); the modules are alike, so half a turn is enough.
+inline constexpr int kOrientations = 4;
+
+// Puts the robot over a node: C above it, bodies along the axis with the normals beneath, feet down to the surface, then bodies and
+// legs brought together by Newton's method where a leg does not reach. Deterministic. `clearance` (m): bodies and legs (beyond
+// their feet) keep so far from the surface. Any thread.
+Built stand(const Model& model, const terrain::Surface& surface, const Vector3d& node, const Vector3d& normal, int orientation,
+            double clearance);
+
+// The paper's q: difference of two standing postures, m: weighted change of the bodies' places (m), orientations (rad) and of the
+// legs' joints (rad). A metric: so q never falls below any of its parts.
+struct ChangeWeights {
+  double place = 1.0;        // 1
+  double orientation = 0.1;  // m/rad
+  double joints = 0.01;      // m/rad
+};
+double change(const Model& model, const Standing& a, const Standing& b, const ChangeWeights& weights);
+
+}  // namespace foothold::octopod

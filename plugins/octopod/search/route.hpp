@@ -1,0 +1,47 @@
+// What the searches over a terrain give back, and the three of them: the paper's, the proved one, and RRT*.
+#pragma once
+
+#include <functional>
+#include <random>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "octopod/search/ground.hpp"
+
+namespace foothold::octopod {
+
+struct RouteOptions {
+  bool stability = true;  // unstable states are forbidden; else they are as good as others
+  ChangeWeights weights;
+  double posture_weight = 1.0;  // of q beside d
+  long max_states = 100'000'000;
+  double budget = 60.0;  // s, of method rrt
+};
+
+// May the robot go from one state to the next? Asked when an edge is about to be used; its answers are kept by who gives them.
+using Edge = std::function<bool(State from, State to)>;
+
+struct Route {
+  enum class End { kFound, kNoPath, kStopped, kExhausted };
+  End end = End::kNoPath;
+  std::vector<State> states;       // from start to goal
+  std::vector<double> costs;       // up to each state, m
+  double cost = 0.0, bound = 0.0;  // m; proved: no route costs less
+  bool optimal = false;
+  long expanded = 0, postures = 0;  // states expanded; postures made for this search
+  int penalised = 0;                // of method paper: unstable states that it went through
+  std::string blocked;              // of kNoPath: what is in the way, for people
+  std::vector<State> cut;           // of kNoPath: the states that no route can pass, nearest to the goal first
+};
+
+// A* over (node, orientation): least sum of d + posture_weight q, proved; unstable states forbidden.
+Route optimal_route(const Ground& ground, State from, int goal_node, const RouteOptions& options, const Edge& edge,
+                    const std::stop_token& stop);
+// The paper's: A* over nodes, ten neighbours, of four orientations the one of least q + e, e = 1e12 for unstable ones.
+Route paper_route(const Ground& ground, State from, int goal_node, const RouteOptions& options, const std::stop_token& stop);
+// RRT* of OMPL over the surface, with the same postures and verdicts.
+Route rrt_route(const Ground& ground, State from, int goal_node, const RouteOptions& options, std::mt19937_64& random,
+                const std::stop_token& stop);
+
+}  // namespace foothold::octopod
