@@ -22,6 +22,7 @@ struct Footing {
 // The robot with all eight feet on the surface.
 struct Standing {
   Coordinates at;
+  Isometry3d rear = Isometry3d::Identity();  // module B in the world, as `at` gives it
   std::array<Footing, kLegs> feet{};
   Vector3d centre_of_mass = Vector3d::Zero();  // m, world
   double residual = 0.0;                       // m, greatest distance of a foot from its footing
@@ -38,12 +39,21 @@ struct Built {
 };
 std::string reason(const Built& built);
 
-// One of four axes 45 degrees apart in the node's plane (paper: ep); the modules are alike, so half a turn is enough.
-inline constexpr int kOrientations = 4;
+// The paper tries four axes 45 degrees apart in the node's plane (ep). An axis has two ends, and module A can look to either:
+// walking on, A and B must not change places, and a robot whose axis can turn by 135 degrees only could never turn round. So a
+// state has one of eight headings, A's; heading k + 4 is heading k turned by half. The robot is alike at both ends, so both have
+// the same feet, the same verdicts, and postures that follow from each other (turned()): four postures a node are made, not eight.
+// Heading 0: world X projected into the node's plane (world Y where the normal lies within 26 degrees of world X); then
+// counter-clockwise seen from outside.
+inline constexpr int kAxes = 4;
+inline constexpr int kOrientations = 8;
+
+// The same standing robot with A and B exchanged: every foot stays, limb i becomes limb 7 - i. Its own inverse.
+Built turned(const Model& model, const Built& built);
 
 // Puts the robot over a node: C above it, bodies along the axis with the normals beneath, feet down to the surface, then bodies and
 // legs brought together by Newton's method where a leg does not reach. Deterministic. `clearance` (m): bodies and legs (beyond
-// their feet) keep so far from the surface. Any thread.
+// their feet) keep so far from the surface. `orientation`: 0 to 7. Any thread.
 Built stand(const Model& model, const terrain::Surface& surface, const Vector3d& node, const Vector3d& normal, int orientation,
             double clearance);
 

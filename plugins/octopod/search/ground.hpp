@@ -21,7 +21,7 @@ struct GroundOptions {
   double clearance = 0.0;  // m, bodies and legs above the ground
 };
 
-// A state of the search: 4 * node + orientation.
+// A state of the search: 8 * node + orientation. 0 to 3 are the paper's four axes; half a turn more exchanges A and B.
 using State = int;
 inline int node_of(State state) { return state / kOrientations; }
 inline int orientation_of(State state) { return state % kOrientations; }
