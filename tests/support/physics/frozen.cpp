@@ -1,0 +1,113 @@
+// A frozen stance as a MuJoCo model, and its way under gravity.
+#include "physics/frozen.hpp"
+
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace foothold::physics {
+namespace {
+
+constexpr double kFoot = 0.01;             // m, radius of the spheres
+constexpr double kTimeStep = 0.002;        // s
+constexpr std::size_t kMostContacts = 31;  // bits of MuJoCo's contact filter
+
+std::string words(const Vector3d& v) {
+  std::ostringstream out;
+  out.precision(17);
+  out << v.x() << ' ' << v.y() << ' ' << v.z();
+  return out.str();
+}
+
+std::string model_xml(const FrozenStance& stance) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "<mujoco><compiler autolimits='true'/>"
+      << "<option timestep='" << kTimeStep << "' gravity='0 0 -9.80665' cone='elliptic' impratio='10' noslip_iterations='20'"
+      << " solver='Newton' iterations='200' tolerance='1e-12'/>"
+      << "<size nconmax='100' njmax='500'/>"
+      << "<default><geom condim='3' priority='1' friction='" << stance.friction
+      << " 0 0' solref='0.004 1' solimp='0.99 0.999 0.0001'/>"
+      << "</default><worldbody>";
+  for (std::size_t k = 0; k < stance.contacts.size(); ++k) {
+    const FrozenContact& contact = stance.contacts[k];
+    out << "<geom type='plane' size='1 1 1' pos='" << words(contact.point) << "' zaxis='" << words(contact.normal) << "' contype='"
+        << (1u << k) << "' conaffinity='0'/>";
+  }
+  out << "<body pos='" << words(stance.centre_of_mass) << "'><freejoint/><inertial pos='0 0 0' mass='" << stance.mass
+      << "' diaginertia='" << words(stance.inertia) << "'/>";
+  for (std::size_t k = 0; k < stance.contacts.size(); ++k) {
+    const FrozenContact& contact = stance.contacts[k];
+    const Vector3d at = contact.point + kFoot * contact.normal - stance.centre_of_mass;
+    out << "<geom type='sphere' size='" << kFoot << "' pos='" << words(at) << "' contype='0' conaffinity='" << (1u << k) << "'/>";
+  }
+  out << "</body></worldbody></mujoco>";
+  return out.str();
+}
+
+struct Free {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+
+// MuJoCo reads models from files or from a virtual file system in memory only.
+std::unique_ptr<mjModel, Free> compiled(const std::string& xml) {
+  struct FileSystem {
+    FileSystem() : files(std::make_unique<mjVFS>()) { mj_defaultVFS(files.get()); }
+    ~FileSystem() { mj_deleteVFS(files.get()); }
+    std::unique_ptr<mjVFS> files;
+  } system;
+  mjVFS& files = *system.files;
+  if (mj_makeEmptyFileVFS(&files, "stance.xml", static_cast<int>(xml.size())) != 0)
+    throw std::runtime_error("MuJoCo has no room for a model of " + std::to_string(xml.size()) + " octets");
+  std::copy(xml.begin(), xml.end(), static_cast<char*>(files.filedata[0]));
+  char error[500] = "";
+  std::unique_ptr<mjModel, Free> model(mj_loadXML("stance.xml", &files, error, sizeof error));
+  if (!model) throw std::runtime_error(std::string("MuJoCo refuses a stance: ") + error);
+  return model;
+}
+
+// The centre of mass and the feet, which are the free body's geoms.
+std::vector<Vector3d> places(const mjModel& model, const mjData& data) {
+  std::vector<Vector3d> out{Vector3d(data.xipos[3], data.xipos[4], data.xipos[5])};
+  for (int g = 0; g < model.ngeom; ++g)
+    if (model.geom_bodyid[g] == 1) out.emplace_back(data.geom_xpos[3 * g], data.geom_xpos[3 * g + 1], data.geom_xpos[3 * g + 2]);
+  return out;
+}
+
+double greatest_way(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to) {
+  double most = 0.0;
+  for (std::size_t k = 0; k < from.size(); ++k) most = std::max(most, (to[k] - from[k]).norm());
+  return most;
+}
+
+}  // namespace
+
+Drift let_go(const FrozenStance& stance, const FrozenOptions& options) {
+  if (stance.contacts.empty() || stance.contacts.size() > kMostContacts)
+    throw std::runtime_error("a frozen stance has 1 to 31 contacts, not " + std::to_string(stance.contacts.size()));
+  const std::unique_ptr<mjModel, Free> model = compiled(model_xml(stance));
+  const std::unique_ptr<mjData, Free> data(mj_makeData(model.get()));
+  if (!data) throw std::runtime_error("MuJoCo has no memory for a stance");
+  while (data->time < options.settling) mj_step(model.get(), data.get());
+  mj_forward(model.get(), data.get());
+  const std::vector<Vector3d> settled = places(*model, *data);
+  std::vector<Vector3d> before = settled, now = settled;
+  Drift drift;
+  while (data->time < options.duration) {
+    mj_step(model.get(), data.get());
+    mj_kinematics(model.get(), data.get());
+    before = std::move(now);
+    now = places(*model, *data);
+    drift.way = std::max(drift.way, greatest_way(settled, now));
+  }
+  drift.speed = greatest_way(before, now) / kTimeStep;
+  return drift;
+}
+
+}  // namespace foothold::physics
