@@ -39,10 +39,7 @@ Vector3d centre_of_mass(const Model& model, const Coordinates& at);
 // Joints of a leg that bring its foot to `foot` (m, in the module's frame), all branches: the leg's plane looks at the foot or away
 // from it, and the knee is up (q3 <= 0) or down. Empty if the point is out of reach by more than rounding (1e-12 m). A foot
 // straight under the shoulder leaves q1 free if the coxa is 0: it is 0 then.
-struct LegSolutions {
-  std::array<Vector3d, 4> joints{};
-  int count = 0;
-};
+using LegSolutions = kinematics::YawLeg::Solutions;
 LegSolutions inverse_leg(const Model& model, int which, const Vector3d& foot);
 // The branch of the right angle alone: |q1| <= 90 deg, knee up. Empty if it does not reach.
 std::optional<Vector3d> natural_leg(const Model& model, int which, const Vector3d& foot);

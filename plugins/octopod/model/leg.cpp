@@ -1,74 +1,60 @@
-// A leg's joints in closed form: its plane by the foot's bearing, then two links in the plane.
-//
-// In the plane the foot lies at (x, z) seen from the femur's joint, d = |(x, z)|:
-//   tan^2(q3 / 2) = ((f + t)^2 - d^2) / (d^2 - (f - t)^2),  q2 = atan2(z, x) - atan2(t sin q3, f + t cos q3).
-// The half angle keeps its digits at a stretched and at a folded leg, where the cosine law loses half of them.
+// An octopod's leg is the toolkit's leg in the frame of its shoulder: X' = +-Y outwards, Z' = Z, so a yaw turns forwards on the
+// right and backwards on the left.
 #include <cmath>
-#include <numbers>
 
 #include "octopod/model/body.hpp"
 
 namespace foothold::octopod {
 namespace {
 
-constexpr double kRounding = 1e-12;  // m, by which a point may lie beyond the stretched leg and still count as reached
+// The module's frame to the shoulder's axes, and back; `left` is side().
+Vector3d to_shoulder(double left, const Vector3d& v) { return {left * v.y(), -left * v.x(), v.z()}; }
+Vector3d to_module(double left, const Vector3d& v) { return {-left * v.y(), left * v.x(), v.z()}; }
+Vector3d mirrored(double left, const Vector3d& joints) { return {-left * joints[0], joints[1], joints[2]}; }
 
-struct Planar {
-  double q2 = 0.0, q3 = 0.0;
-};
-
-double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
-
-// |q3| of the two links whose ends are d apart; empty if they cannot be.
-std::optional<double> knee(const Model& model, double d) {
-  const double stretched = model.femur + model.tibia, folded = std::abs(model.femur - model.tibia);
-  if (d > stretched + kRounding || d < folded - kRounding) return std::nullopt;
-  const double to_stretched = std::max(0.0, (stretched - d) * (stretched + d));
-  const double to_folded = std::max(0.0, (d - folded) * (d + folded));
-  return 2 * std::atan2(std::sqrt(to_stretched), std::sqrt(to_folded));
-}
-
-Planar planar(const Model& model, double x, double z, double q3) {
-  const double across = model.tibia * std::sin(q3), along = model.femur + model.tibia * std::cos(q3);
-  return {wrapped(std::atan2(z, x) - std::atan2(across, along)), q3};
-}
-
-// Where the foot is seen from the shoulder: bearing from the leg's side, level distance, height.
-struct Bearing {
-  double yaw, level, up;
-};
-Bearing bearing(const Model& model, int which, const Vector3d& foot) {
-  const Vector3d from = foot - model.shoulders[static_cast<std::size_t>(which % 4)];
-  return {std::atan2(from.x(), side(which) * from.y()), std::hypot(from.x(), from.y()), from.z()};
-}
+const Vector3d& shoulder_of(const Model& model, int which) { return model.shoulders[static_cast<std::size_t>(which % 4)]; }
 
 }  // namespace
 
+LegPoints leg_in_module(const Model& model, int which, const Vector3d& joints) {
+  const double left = side(which);
+  const Vector3d& shoulder = shoulder_of(model, which);
+  const auto points = model.leg().forward(mirrored(left, joints));
+  return {shoulder, shoulder + to_module(left, points.knee), shoulder + to_module(left, points.foot)};
+}
+
+LegPoints leg(const Model& model, const Coordinates& at, int which) {
+  const Isometry3d module = module_of(which) == 0 ? at.front : rear(model, at);
+  const LegPoints own = leg_in_module(model, which, at.legs[static_cast<std::size_t>(which)]);
+  return {module * own.shoulder, module * own.knee, module * own.foot};
+}
+
+Eigen::Matrix3d leg_jacobian(const Model& model, int which, const Vector3d& joints) {
+  const double s1 = std::sin(joints[0]), c1 = std::cos(joints[0]), left = side(which);
+  const double s2 = std::sin(joints[1]), c2 = std::cos(joints[1]);
+  const double s23 = std::sin(joints[1] + joints[2]), c23 = std::cos(joints[1] + joints[2]);
+  const double out = model.coxa + model.femur * c2 + model.tibia * c23;
+  const double lower_out = -model.tibia * s23, lower_up = model.tibia * c23;
+  const double whole_out = lower_out - model.femur * s2, whole_up = lower_up + model.femur * c2;
+  Eigen::Matrix3d jacobian;
+  jacobian.col(0) << out * c1, -left * out * s1, 0;
+  jacobian.col(1) << whole_out * s1, left * whole_out * c1, whole_up;
+  jacobian.col(2) << lower_out * s1, left * lower_out * c1, lower_up;
+  return jacobian;
+}
+
 LegSolutions inverse_leg(const Model& model, int which, const Vector3d& foot) {
-  const Bearing at = bearing(model, which, foot);
-  LegSolutions out;
-  for (const bool away : {false, true}) {
-    const double x = (away ? -at.level : at.level) - model.coxa;
-    const std::optional<double> bend = knee(model, std::hypot(x, at.up));
-    if (!bend) continue;
-    const double yaw = away ? wrapped(at.yaw + std::numbers::pi) : at.yaw;
-    for (const double sign : {-1.0, 1.0}) {
-      const Planar joints = planar(model, x, at.up, sign * *bend);
-      out.joints[static_cast<std::size_t>(out.count++)] = {yaw, joints.q2, joints.q3};
-      if (*bend == 0.0) break;
-    }
-  }
+  const double left = side(which);
+  LegSolutions out = model.leg().inverse(to_shoulder(left, foot - shoulder_of(model, which)));
+  for (Vector3d& joints : out.joints) joints = mirrored(left, joints);
   return out;
 }
 
 std::optional<Vector3d> natural_leg(const Model& model, int which, const Vector3d& foot) {
-  const Bearing at = bearing(model, which, foot);
-  const bool away = std::abs(at.yaw) > std::numbers::pi / 2;
-  const double x = (away ? -at.level : at.level) - model.coxa;
-  const std::optional<double> bend = knee(model, std::hypot(x, at.up));
-  if (!bend) return std::nullopt;
-  const Planar joints = planar(model, x, at.up, -*bend);
-  return Vector3d(away ? wrapped(at.yaw + std::numbers::pi) : at.yaw, joints.q2, joints.q3);
+  const double left = side(which);
+  const auto joints = model.leg().standing(to_shoulder(left, foot - shoulder_of(model, which)));
+  if (!joints) return std::nullopt;
+  return mirrored(left, *joints);
 }
 
 }  // namespace foothold::octopod

@@ -10,6 +10,7 @@
 
 #include "foothold/model.hpp"
 #include "foothold/types.hpp"
+#include "kinematics/yaw_leg.hpp"
 
 namespace foothold::octopod {
 
@@ -38,6 +39,7 @@ struct Model {
 
   double arm() const { return neck + body.x() / 2; }     // m, L of the paper: from C to the middle of a body
   double reach() const { return coxa + femur + tibia; }  // m, R of the paper: a stretched leg
+  kinematics::YawLeg leg() const { return {.coxa = coxa, .drop = 0.0, .femur = femur, .tibia = tibia}; }
   double mass() const { return 2 * body_mass + kLegs * (femur_mass + tibia_mass); }
 
   // Throws InvalidModel: what is missing, in another unit, negative, or zero though it must not be.

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 
 namespace foothold::kinematics {
 
@@ -32,6 +33,12 @@ struct YawLeg {
     const Eigen::Vector3d* end() const { return joints.data() + count; }
   };
   Solutions inverse(const Eigen::Vector3d& foot, double yaw_on_axis = 0.0, double slack = 1e-12) const;
+  // Of those the one that stands by itself: yaw within 90 deg, knee up (tibia's angle not above 0). A foot on the axis: yaw 0.
+  std::optional<Eigen::Vector3d> standing(const Eigen::Vector3d& foot, double slack = 1e-12) const;
+
+ private:
+  std::optional<double> bend(double distance, double slack) const;
+  Eigen::Vector3d joints(double yaw, double out, double down, double tibia_angle) const;
 };
 
 }  // namespace foothold::kinematics

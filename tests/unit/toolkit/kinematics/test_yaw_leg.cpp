@@ -59,6 +59,37 @@ TEST(YawLeg, EveryBranchLeadsBackToTheFootAndOneIsWhereItCameFrom) {
   }
 }
 
+TEST(YawLeg, TheStandingSolutionIsTheBranchWithinAQuarterTurnAndTheKneeUp) {
+  std::mt19937_64 random(3);
+  for (const YawLeg& leg : {kLeg, YawLeg{.coxa = 0, .drop = 0, .femur = 0.1, .tibia = 0.1}}) {
+    int reached = 0;
+    for (int i = 0; i < 20'000; ++i) {
+      std::uniform_real_distribution<double> within(-0.25, 0.25);
+      const Vector3d foot(within(random), within(random), within(random));
+      int branch = 0;
+      for (const Vector3d& solution : leg.inverse(foot)) {
+        if (std::abs(solution[0]) > kPi / 2 || solution[2] > 0.0) continue;
+        ++branch;
+        ASSERT_TRUE(leg.standing(foot)) << foot.transpose();
+        EXPECT_LT((*leg.standing(foot) - solution).norm(), 1e-12);
+      }
+      ASSERT_EQ(branch > 0, leg.standing(foot).has_value());
+      reached += branch > 0;
+    }
+    EXPECT_GT(reached, 2'000);
+  }
+}
+
+TEST(YawLeg, KeepsItsDigitsWhereTheLegIsStretchedOrFolded) {
+  const YawLeg leg{.coxa = 0, .drop = 0, .femur = 0.1, .tibia = 0.1};
+  const Vector3d along = Vector3d(0.4, -0.3, -0.8).normalized();
+  for (const double distance : {0.2, 0.2 - 1e-15, 0.2 - 1e-12, 0.2 - 1e-8, 1e-3, 1e-6, 1e-9}) {
+    const auto joints = leg.standing(distance * along);
+    ASSERT_TRUE(joints) << distance;
+    EXPECT_LT((leg.forward(*joints).foot - distance * along).norm(), 1e-16 + 1e-15 * distance) << distance;
+  }
+}
+
 TEST(YawLeg, ASweepOverTheJointsFindsNoFootThatTheInverseMisses) {
   int reached = 0;
   for (double femur = -kPi; femur < kPi; femur += 0.05) {
