@@ -212,7 +212,7 @@ int main(int count, char** words) {
   for (const char* vendor : {"cyclone", "fastdds"}) {
     const std::string suffix = vendor == std::string("cyclone") ? "" : "_fastdds";
     add(("first_step" + suffix).c_str(), percentile(first_steps(vendor, false, quick ? 30 : 200), 0.5), "ms", 5.0, {});
-    add(("first_step_with_motion" + suffix).c_str(), percentile(first_steps(vendor, true, quick ? 10 : 50), 0.5), "ms", {}, {});
+    add(("first_step_with_motion" + suffix).c_str(), percentile(first_steps(vendor, true, quick ? 10 : 50), 0.5), "ms", 5.0, {});
   }
   for (const Figure& figure : hyrecro_tables(quick)) figures.push_back(figure);
   for (const Figure& figure : hyrecro_network_figures(quick)) figures.push_back(figure);

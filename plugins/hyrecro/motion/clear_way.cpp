@@ -1,6 +1,7 @@
 #include "hyrecro/motion/clear_way.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -10,8 +11,9 @@
 namespace foothold::hyrecro {
 namespace {
 
-// A way is given up where more postures than this would have to be judged, or parts shorter than this: it all but touches.
-constexpr int kMostJudged = 3000;
+// A way is given up where more postures than this would have to be judged for each of its pieces, or parts shorter than this: it
+// all but touches.
+constexpr std::size_t kMostJudged = 3000;
 constexpr double kShortest = 1e-5;
 // Distances are exact up to rounding only.
 constexpr double kRounding = 1e-9;
@@ -81,30 +83,37 @@ bool prove(const Surroundings& around, const Coordinates& coordinates, const Swe
 Blocked judge_posture(const Surroundings& around, const Coordinates& coordinates) {
   Proof proof;
   if (prove(around, coordinates, Sweep{}, proof)) return {};
-  return {proof.what, 0.0};
+  return {proof.what};
 }
 
-Blocked judge_way(const Surroundings& around, const Actuators& a, const Actuators& b) {
-  if (around.stop.stop_requested()) return {"stopped", 0.0};
+Blocked judge_way(const Surroundings& around, std::span<const Actuators> way) {
+  if (around.stop.stop_requested()) return {"stopped"};
   struct Part {
+    std::size_t piece;
     double begin, end;
   };
-  std::vector<Part> parts{{0.0, 1.0}};
+  std::vector<Part> parts;
+  for (std::size_t piece = 0; piece + 1 < way.size(); ++piece) parts.push_back({piece, 0.0, 1.0});
   for (std::size_t next = 0; next < parts.size(); ++next) {
     const Part part = parts[next];
     const double middle = 0.5 * (part.begin + part.end), half = 0.5 * (part.end - part.begin);
-    const Coordinates coordinates = from_actuators(around.model, a + middle * (b - a));
-    const Sweep moved = sweep(around.model, a + part.begin * (b - a), a + part.end * (b - a), coordinates);
+    const Actuators &a = way[part.piece], way_on = way[part.piece + 1] - a;
+    const Coordinates coordinates = from_actuators(around.model, a + middle * way_on);
+    const Sweep moved = sweep(around.model, a + part.begin * way_on, a + part.end * way_on, coordinates);
     Proof proof;
-    if (!prove(around, coordinates, moved, proof)) return {proof.what, middle};
+    if (!prove(around, coordinates, moved, proof)) return {proof.what};
     if (proof.part >= 1.0) continue;
-    if (half < kShortest || next > kMostJudged)
-      return {std::string("so near that it cannot be proved free: ") + proof.what, middle};
+    if (half < kShortest || next > kMostJudged * way.size())
+      return {std::string("so near that it cannot be proved free: ") + proof.what};
     const double proved = half * proof.part;
-    parts.push_back({part.begin, middle - proved});
-    parts.push_back({middle + proved, part.end});
+    parts.push_back({part.piece, part.begin, middle - proved});
+    parts.push_back({part.piece, middle + proved, part.end});
   }
   return {};
+}
+
+Blocked judge_way(const Surroundings& around, const Actuators& a, const Actuators& b) {
+  return judge_way(around, std::array{a, b});
 }
 
 }  // namespace foothold::hyrecro

@@ -15,14 +15,10 @@ constexpr SolutionGrid kGrid{0.1, 0.01, 0.1};
 constexpr int kMostJudged = 24;
 
 Blocked judge(const Surroundings& around, const std::vector<Coordinates>& way) {
-  Blocked out;
-  Actuators last = to_actuators(around.model, way.front());
-  for (std::size_t i = 1; i < way.size() && !out; ++i) {
-    const Actuators next = with_nearest_turns(last, to_actuators(around.model, way[i]));
-    out = judge_way(around, last, next);
-    last = next;
-  }
-  return out;
+  std::vector<Actuators> points{to_actuators(around.model, way.front())};
+  for (std::size_t i = 1; i < way.size(); ++i)
+    points.push_back(with_nearest_turns(points.back(), to_actuators(around.model, way[i])));
+  return judge_way(around, points);
 }
 
 // Postures of the stance's branch with its free sole `height` above its place, nearest first (by the actuators' time).

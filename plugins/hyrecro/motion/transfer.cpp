@@ -1,6 +1,7 @@
 #include "hyrecro/motion/transfer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "hyrecro/motion/lift.hpp"
@@ -55,18 +56,25 @@ Actuators tucked(const Model& model, const Actuators& q) {
 
 // Ways in closed form, quickest first.
 std::vector<std::vector<Actuators>> candidates(const Model& model, const Actuators& a, const std::vector<Actuators>& ends) {
+  constexpr std::size_t kHeights = std::size(kHigher);
+  std::array<Actuators, kHeights> above_a, above_b;
+  for (std::size_t k = 0; k < kHeights; ++k) {
+    above_a[k] = higher(model, a, kHigher[k]);
+    above_b[k] = higher(model, ends.front(), kHigher[k]);
+  }
   std::vector<std::vector<Actuators>> out;
   for (const Actuators& end : ends) {
+    const auto above_end = [&](std::size_t k) {
+      Actuators above = above_b[k];
+      above.tail<2>() = end.tail<2>();
+      return above;
+    };
     out.push_back({a, end});
-    for (const double height : kHigher) {
-      const Actuators above_a = higher(model, a, height), above_end = higher(model, end, height);
-      out.push_back({a, above_a, above_end, end});
-    }
+    for (std::size_t k = 0; k < kHeights; ++k) out.push_back({a, above_a[k], above_end(k), end});
     const Actuators tucked_a = tucked(model, a), tucked_end = tucked(model, end);
     out.push_back({a, tucked_a, tucked_end, end});
     out.push_back({a, 0.5 * (tucked_a + tucked_end), end});
-    const Actuators above_a = higher(model, a, kHigher[1]), above_end = higher(model, end, kHigher[1]);
-    out.push_back({a, above_a, tucked_a, tucked_end, above_end, end});
+    out.push_back({a, above_a[1], tucked_a, tucked_end, above_end(1), end});
   }
   std::stable_sort(out.begin(), out.end(), [&](const auto& x, const auto& y) { return duration(model, x) < duration(model, y); });
   return out;
@@ -84,8 +92,7 @@ std::optional<Transfer> transfer(const Surroundings& around, const Actuators& a,
       return std::nullopt;
     }
   for (const auto& way : candidates(around.model, a, ends)) {
-    Blocked blocked;
-    for (std::size_t i = 1; i < way.size() && !blocked; ++i) blocked = judge_way(around, way[i - 1], way[i]);
+    const Blocked blocked = judge_way(around, way);
     if (around.stop.stop_requested()) break;
     if (blocked) {
       if (!first) first = blocked;

@@ -19,20 +19,24 @@ PlanarMechanism::Lengths PlanarMechanism::lengths(const Pose& pose) const {
   return {std::hypot(e, pose.y + d), std::hypot(e, pose.y - d)};
 }
 
-// y sin phi = v and y^2 = u - p^2 - b^2 + 2 p b cos phi leave y(phi) sin phi - v = 0, which grows with phi: Newton.
+// y sin phi = v and y^2 = u - p^2 - b^2 + 2 p b cos phi leave f(x) = y x - v = 0 with x = sin phi: Newton, without a trigonometric
+// function. f grows and is concave for x > 0 (convex below), and y is greatest at 0; so the iterates never pass the root.
 PlanarMechanism::Pose PlanarMechanism::forward(const Lengths& lengths) const {
   const double u = 0.5 * (lengths.left * lengths.left + lengths.right * lengths.right);
   const double v = (lengths.left - lengths.right) * (lengths.left + lengths.right) / (4.0 * b_);
-  const double k = u - p_ * p_ - b_ * b_;
-  const auto y_at = [&](double phi) { return std::sqrt(k + 2.0 * p_ * b_ * std::cos(phi)); };
-  double phi = std::asin(std::fmin(1.0, std::fmax(-1.0, v / y_at(0.0))));
+  const double k = u - p_ * p_ - b_ * b_, pb = p_ * b_;
+  // Squared at each step: what comes after a change of this size is below rounding.
+  constexpr double kSettled = 1e-9;
+  double sine = v / std::sqrt(k + 2.0 * pb), y = 0.0;
   for (int i = 0; i < 30; ++i) {
-    const double y = y_at(phi), sine = std::sin(phi), cosine = std::cos(phi);
-    const double change = (y * sine - v) / (y * cosine - p_ * b_ * sine * sine / y);
-    phi -= change;
-    if (std::fabs(change) < 1e-16) break;
+    const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
+    y = std::sqrt(k + 2.0 * pb * cosine);
+    const double change = (y * sine - v) / (y - pb * sine * sine / (cosine * y));
+    sine -= change;
+    if (std::fabs(change) < kSettled) break;
   }
-  return {phi, y_at(phi)};
+  y = std::sqrt(k + 2.0 * pb * std::sqrt((1.0 - sine) * (1.0 + sine)));
+  return {std::asin(sine), y};
 }
 
 Interval PlanarMechanism::offsets(double phi) const {
