@@ -1,0 +1,139 @@
+#include "contact/equilibrium.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "contact/simplex.hpp"
+
+namespace foothold::contact {
+
+struct Equilibrium::Work {
+  simplex::Problem problem;
+  Verdict verdict;
+  double length = 1.0;  // m: the unit of length inside the problem
+  bool warm = false;
+};
+
+namespace {
+
+constexpr int kMostEdges = 1024;
+constexpr double kUnitLength = 1e-6;
+constexpr double kResidual = 1e-11;  // of the balance, above which the basis is factored anew
+
+void fill(simplex::Problem& problem, std::span<const Contact> contacts, const Vector3d& com, double length) {
+  problem.groups.resize((contacts.size() + simplex::kLanes - 1) / simplex::kLanes);
+  if (!problem.groups.empty()) problem.groups.back() = {};
+  const double scale = 1.0 / length;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    simplex::Group& group = problem.groups[i / simplex::kLanes];
+    const std::size_t lane = i % simplex::kLanes;
+    const Vector3d& n = contacts[i].normal;
+    const auto [t, b] = tangents(n);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<Eigen::Index>(k);
+      group.r[k][lane] = (contacts[i].point[axis] - com[axis]) * scale;
+      group.n[k][lane] = n[axis];
+      group.t[k][lane] = t[axis];
+      group.b[k][lane] = b[axis];
+    }
+  }
+  problem.contacts = static_cast<int>(contacts.size());
+}
+
+// The greatest distance of a contact from the centre of mass; 1 if that is 0. Refuses what is not a stance.
+double unit_of_length(std::span<const Contact> contacts, const Vector3d& com, double mu) {
+  if (!(mu >= 0.0) || !std::isfinite(mu))
+    throw std::invalid_argument("mu must be finite and at least 0, not " + std::to_string(mu));
+  double most = 0.0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const double squared = (contacts[i].point - com).squaredNorm();
+    if (!std::isfinite(squared))
+      throw std::invalid_argument("contact " + std::to_string(i) + " or the centre of mass is not finite");
+    if (!(std::abs(contacts[i].normal.squaredNorm() - 1.0) <= 2.0 * kUnitLength))
+      throw std::invalid_argument("normal of contact " + std::to_string(i) + " must be of unit length, not " +
+                                  std::to_string(contacts[i].normal.norm()));
+    most = std::max(most, squared);
+  }
+  if (!com.allFinite()) throw std::invalid_argument("the centre of mass is not finite");
+  return most > 0.0 ? std::sqrt(most) : 1.0;
+}
+
+// Forces of the basis; how far they are from balancing w.
+double forces_of(const simplex::Problem& problem, std::span<const Contact> contacts, const Vector3d& com, double length,
+                 std::vector<Vector3d>& forces) {
+  forces.assign(contacts.size(), Vector3d::Zero());
+  for (std::size_t i = 0; i < 6; ++i) {
+    const simplex::Column& column = problem.basis.columns[i];
+    if (column.contact < 0) continue;
+    const auto k = static_cast<std::size_t>(column.contact);
+    const auto [t, b] = tangents(contacts[k].normal);
+    const double x = std::max(problem.basis.inverse[2][i], 0.0);
+    forces[k] += x * (contacts[k].normal + problem.mu * (column.cos * t + column.sin * b));
+  }
+  Vector3d force = -Vector3d::UnitZ(), torque = Vector3d::Zero();
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    force += forces[k];
+    torque += (contacts[k].point - com).cross(forces[k]);
+  }
+  return std::max(force.cwiseAbs().maxCoeff(), torque.cwiseAbs().maxCoeff() / length);
+}
+
+}  // namespace
+
+Equilibrium::Equilibrium(FrictionCone cone) : work_(std::make_unique<Work>()) {
+  if (cone.edges != 0 && (cone.edges < 3 || cone.edges > kMostEdges))
+    throw std::invalid_argument("a friction pyramid has 3 to " + std::to_string(kMostEdges) +
+                                " edges (0: the circular cone), not " + std::to_string(cone.edges));
+  simplex::Problem& problem = work_->problem;
+  problem.edges = cone.edges;
+  for (int j = 0; j < cone.edges; ++j) {
+    const double angle = 2.0 * std::numbers::pi * j / cone.edges;
+    problem.cos.push_back(std::cos(angle));
+    problem.sin.push_back(std::sin(angle));
+  }
+}
+
+Equilibrium::~Equilibrium() = default;
+Equilibrium::Equilibrium(Equilibrium&&) noexcept = default;
+Equilibrium& Equilibrium::operator=(Equilibrium&&) noexcept = default;
+
+void Equilibrium::forget() { work_->warm = false; }
+
+FrictionCone Equilibrium::cone() const { return {work_->problem.edges}; }
+
+const Verdict& Equilibrium::judge(std::span<const Contact> contacts, const Vector3d& com, double mu) {
+  simplex::Problem& problem = work_->problem;
+  Verdict& verdict = work_->verdict;
+  const double length = unit_of_length(contacts, com, mu);
+  const bool warm = work_->warm && problem.contacts == static_cast<int>(contacts.size());
+  fill(problem, contacts, com, length);
+  problem.mu = mu;
+  problem.pivots = 0;
+  if (warm) {
+    simplex::rebuild(problem);
+  } else {
+    simplex::start_from_nothing(problem);
+  }
+  work_->warm = true;
+  simplex::Outcome outcome = simplex::solve(problem);
+  if (outcome == simplex::Outcome::kBalanced && forces_of(problem, contacts, com, length, verdict.forces) > kResidual) {
+    simplex::rebuild(problem);
+    outcome = simplex::solve(problem);
+    if (outcome == simplex::Outcome::kBalanced) forces_of(problem, contacts, com, length, verdict.forces);
+  }
+  verdict.stable = outcome == simplex::Outcome::kBalanced;
+  verdict.proved = outcome != simplex::Outcome::kStuck;
+  verdict.pivots = problem.pivots;
+  verdict.separating.setZero();
+  if (!verdict.stable) verdict.forces.clear();
+  if (outcome == simplex::Outcome::kSeparated) {
+    for (std::size_t k = 0; k < 6; ++k)
+      verdict.separating[static_cast<Eigen::Index>(k)] = k < 3 ? problem.y[k] : problem.y[k] / length;
+  }
+  return verdict;
+}
+
+}  // namespace foothold::contact
