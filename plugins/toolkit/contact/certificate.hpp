@@ -9,10 +9,10 @@ namespace foothold::contact {
 // a contact from the centre of mass), outside their cone by this much.
 constexpr double kBalanceTolerance = 1e-9;
 // A separating wrench: y.w must exceed this part of |y|, ...
-constexpr double kSeparationTolerance = 1e-9;
+constexpr double kSeparationTolerance = 2e-10;
 // ... and y.(f, r x f) must not exceed this part of y.w for any f of unit normal component: then no forces whose normal components
-// add up to less than a million weights hold the robot, whatever was lost by rounding.
-constexpr double kOverhangTolerance = 1e-6;
+// add up to less than 100,000 weights hold the robot, whatever was lost by rounding.
+constexpr double kOverhangTolerance = 1e-5;
 
 // True if the verdict says that it is proved and its certificate proves what it says. Any thread.
 bool proves(const Verdict& verdict, std::span<const Contact> contacts, const Vector3d& com, double mu, FrictionCone cone);

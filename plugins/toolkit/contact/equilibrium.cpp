@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 
+#include "contact/projection.hpp"
 #include "contact/simplex.hpp"
+#include "contact/stance_check.hpp"
 
 namespace foothold::contact {
 
@@ -19,8 +19,6 @@ struct Equilibrium::Work {
 
 namespace {
 
-constexpr int kMostEdges = 1024;
-constexpr double kUnitLength = 1e-6;
 constexpr double kResidual = 1e-11;  // of the balance, above which the basis is factored anew
 
 void fill(simplex::Problem& problem, std::span<const Contact> contacts, const Vector3d& com, double length) {
@@ -41,24 +39,6 @@ void fill(simplex::Problem& problem, std::span<const Contact> contacts, const Ve
     }
   }
   problem.contacts = static_cast<int>(contacts.size());
-}
-
-// The greatest distance of a contact from the centre of mass; 1 if that is 0. Refuses what is not a stance.
-double unit_of_length(std::span<const Contact> contacts, const Vector3d& com, double mu) {
-  if (!(mu >= 0.0) || !std::isfinite(mu))
-    throw std::invalid_argument("mu must be finite and at least 0, not " + std::to_string(mu));
-  double most = 0.0;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const double squared = (contacts[i].point - com).squaredNorm();
-    if (!std::isfinite(squared))
-      throw std::invalid_argument("contact " + std::to_string(i) + " or the centre of mass is not finite");
-    if (!(std::abs(contacts[i].normal.squaredNorm() - 1.0) <= 2.0 * kUnitLength))
-      throw std::invalid_argument("normal of contact " + std::to_string(i) + " must be of unit length, not " +
-                                  std::to_string(contacts[i].normal.norm()));
-    most = std::max(most, squared);
-  }
-  if (!com.allFinite()) throw std::invalid_argument("the centre of mass is not finite");
-  return most > 0.0 ? std::sqrt(most) : 1.0;
 }
 
 // Forces of the basis; how far they are from balancing w.
@@ -84,9 +64,7 @@ double forces_of(const simplex::Problem& problem, std::span<const Contact> conta
 }  // namespace
 
 Equilibrium::Equilibrium(FrictionCone cone) : work_(std::make_unique<Work>()) {
-  if (cone.edges != 0 && (cone.edges < 3 || cone.edges > kMostEdges))
-    throw std::invalid_argument("a friction pyramid has 3 to " + std::to_string(kMostEdges) +
-                                " edges (0: the circular cone), not " + std::to_string(cone.edges));
+  require_cone(cone);
   simplex::Problem& problem = work_->problem;
   problem.edges = cone.edges;
   for (int j = 0; j < cone.edges; ++j) {
@@ -107,7 +85,7 @@ FrictionCone Equilibrium::cone() const { return {work_->problem.edges}; }
 const Verdict& Equilibrium::judge(std::span<const Contact> contacts, const Vector3d& com, double mu) {
   simplex::Problem& problem = work_->problem;
   Verdict& verdict = work_->verdict;
-  const double length = unit_of_length(contacts, com, mu);
+  const double length = require_stance(contacts, com, mu);
   const bool warm = work_->warm && problem.contacts == static_cast<int>(contacts.size());
   fill(problem, contacts, com, length);
   problem.mu = mu;
@@ -124,8 +102,15 @@ const Verdict& Equilibrium::judge(std::span<const Contact> contacts, const Vecto
     outcome = simplex::solve(problem);
     if (outcome == simplex::Outcome::kBalanced) forces_of(problem, contacts, com, length, verdict.forces);
   }
+  if (outcome == simplex::Outcome::kStuck) {
+    // Within rounding of the border of stability: the method that measures the distance from it decides.
+    const int pivots = problem.pivots;
+    verdict = judge_by_projection(contacts, com, mu, cone());
+    verdict.pivots += pivots;
+    return verdict;
+  }
   verdict.stable = outcome == simplex::Outcome::kBalanced;
-  verdict.proved = outcome != simplex::Outcome::kStuck;
+  verdict.proved = true;
   verdict.pivots = problem.pivots;
   verdict.separating.setZero();
   if (!verdict.stable) verdict.forces.clear();

@@ -16,8 +16,8 @@ namespace foothold::contact {
 
 struct Verdict {
   bool stable = false;
-  // False only where the numbers give neither proof, which no stance farther than 1e-9 from the border of stability is known to
-  // do; `stable` is then false.
+  // False only where the numbers give neither proof; `stable` is then false. Seen with circular cones alone, within 1e-8 weights of
+  // the border of stability.
   bool proved = false;
   // If stable: the force on the robot at each contact, in weights, world frame. Else empty.
   std::vector<Vector3d> forces;

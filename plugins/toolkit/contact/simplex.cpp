@@ -13,9 +13,12 @@ namespace {
 constexpr std::array<double, 6> kPerturbed = {1.3e-7, 0.7e-7, 1.0 + 1.1e-7, 0.9e-7, 1.7e-7, 0.5e-7};
 constexpr double kZero = 1e-12;       // of an x
 constexpr double kLeastPivot = 1e-9;  // of a step's change of a basic x
-constexpr double kSeparation = 2e-9;  // least y.w of a separating wrench of unit size
-constexpr double kOverhang = 0.5e-6;  // greatest y.g of one, as a part of y.w
-constexpr double kRoundoff = 1e-14;   // of a price, as a part of |y|
+constexpr double kSeparation = 1e-9;  // least y.w of a separating wrench of unit size
+constexpr double kOverhang = 0.5e-5;  // greatest y.g of one, as a part of y.w
+// Columns of a circular cone come from one wider by this part of mu, which certificates forgive: then a column near to the best one
+// is as good as the best one is for the cone as it is, and the method ends instead of making columns ever closer to each other.
+constexpr double kWidening = 2e-10;
+constexpr double kRoundoff = 1e-14;  // of a price, as a part of |y|
 constexpr int kPivotsWithPerturbation = 200, kPivotsWithout = 200;
 
 bool artificial(const Column& column) { return column.contact < 0; }
@@ -101,13 +104,15 @@ FOOTHOLD_INLINE bool costs(const Basis& basis, const Lanes& x, std::array<double
 }
 
 struct Best {
-  double price = 0.0;
+  double price = 0.0;  // of the column
+  double reach = 0.0;  // the greatest y.g over the cones as they are
   Column column;
 };
 
 // The column of the greatest y.g.
 template <bool kCircular>
 FOOTHOLD_INLINE Best price(const Problem& p, const std::array<double, 6>& y) {
+  const double mu = p.mu;
   double most = -std::numeric_limits<double>::infinity();
   int contact = -1;
   double best_a = 0.0, best_b = 0.0;
@@ -131,7 +136,7 @@ FOOTHOLD_INLINE Best price(const Problem& p, const std::array<double, 6>& y) {
         along = other > along ? other : along;
       }
     }
-    const Lanes total = n + p.mu * along;
+    const Lanes total = n + mu * along;
     const int here = std::min(kLanes, p.contacts - static_cast<int>(q) * kLanes);
     for (int i = 0; i < here; ++i) {
       const auto lane = static_cast<std::size_t>(i);
@@ -142,10 +147,11 @@ FOOTHOLD_INLINE Best price(const Problem& p, const std::array<double, 6>& y) {
       best_b = b[lane];
     }
   }
-  Best out{most, {contact, 1.0, 0.0}};
+  Best out{most, most, {contact, 1.0, 0.0}};
   if constexpr (kCircular) {
     const double length = std::sqrt(best_a * best_a + best_b * best_b);
-    if (length > 0.0) out.column = {contact, best_a / length, best_b / length};
+    if (length > 0.0) out.column = {contact, (1.0 + kWidening) * best_a / length, (1.0 + kWidening) * best_b / length};
+    out.price += kWidening * mu * length;
   } else {
     double longest = -std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < p.cos.size(); ++j) {
@@ -208,7 +214,7 @@ FOOTHOLD_INLINE Outcome run(Problem& p, Lanes& x, int limit) {
       size = std::max(size, std::abs(p.y[k]));
     }
     const Best best = price<kCircular>(p, p.y);
-    if (p.y[2] > kSeparation * size && !(best.price > kOverhang * p.y[2])) return Outcome::kSeparated;
+    if (p.y[2] > kSeparation * size && !(best.reach > kOverhang * p.y[2])) return Outcome::kSeparated;
     if (!(best.price > kRoundoff * size)) return Outcome::kStuck;
     std::array<double, 6> g;
     Lanes d;

@@ -1,4 +1,4 @@
-// Verdicts against CLP and exact arithmetic on random stances: 1,000,000 of them with FOOTHOLD_LONG=1, else 10,000.
+// Verdicts against CLP and exact arithmetic on random stances: 1,000,000 of them with FOOTHOLD_LONG=1, else 3,000.
 //
 // CLP judges every stance. cddlib, which is 3,000 times slower, judges those in exact arithmetic on which CLP and we differ, those
 // within 1 % of the border of stability in mu, and every 40th beside them. Outside the band of 1e-9: the verdict is the same for w
@@ -18,7 +18,7 @@ namespace {
 constexpr int kEdges = 10;
 constexpr double kBand = 1e-9, kNearBorder = 0.01;
 
-int stances() { return std::getenv("FOOTHOLD_LONG") != nullptr ? 1'000'000 : 10'000; }
+int stances() { return std::getenv("FOOTHOLD_LONG") != nullptr ? 1'000'000 : 3'000; }
 
 // The stance in units of its greatest distance.
 Stance scaled(const Stance& s) {
@@ -118,7 +118,7 @@ TEST(EquilibriumAgainstOracles, IsRightAtTheBorderOfStability) {
     for (const double off : {-1e-6, -1e-8, -1e-10, 0.0, 1e-10, 1e-8, 1e-6}) {
       s.mu = high + off;
       const Verdict& verdict = equilibrium.judge(s.contacts, s.com, s.mu);
-      if (std::abs(off) > 1e-7) refused += proves(verdict, s.contacts, s.com, s.mu, equilibrium.cone()) ? 0 : 1;
+      refused += proves(verdict, s.contacts, s.com, s.mu, equilibrium.cone()) ? 0 : 1;
       const Generators columns = generators(scaled(s), kEdges);
       const bool truth = holds_exactly(columns, Wrench::Unit(2));
       if (truth != verdict.stable && same_around(columns, kBand, truth, holds_exactly)) ++differ;
