@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "collision/distance.hpp"
@@ -42,6 +44,32 @@ class BoundTree {
       stack[depth++] = node.left;
     }
     return true;
+  }
+
+  // The least of what cost(index) gives for the items, if below `limit`, else `limit`. lower(bounds) is never above the cost of an
+  // item within those bounds; items that cannot be the least are not asked for. Near ones first.
+  template <class Lower, class Cost>
+  double least(double limit, Lower&& lower, Cost&& cost) const {
+    struct Open {
+      double bound;
+      std::uint32_t node;
+    } stack[kDeepest];
+    std::size_t depth = 0;
+    if (!nodes_.empty()) stack[depth++] = {lower(nodes_[0].bounds), 0};
+    while (depth > 0) {
+      const Open open = stack[--depth];
+      if (!(open.bound < limit)) continue;
+      const Node& node = nodes_[open.node];
+      if (node.item != kInner) {
+        limit = std::min(limit, static_cast<double>(cost(node.item)));
+        continue;
+      }
+      Open left{lower(nodes_[node.left].bounds), node.left}, right{lower(nodes_[node.right].bounds), node.right};
+      if (left.bound < right.bound) std::swap(left, right);
+      stack[depth++] = left;
+      stack[depth++] = right;
+    }
+    return limit;
   }
 
  private:

@@ -1,6 +1,7 @@
 // Beams to boxes and faces.
 #include <array>
 
+#include "geometry/triangulation.hpp"
 #include "truss/layout.hpp"
 
 namespace foothold::truss {
@@ -87,7 +88,7 @@ Truss build(const Layout& layout) {
   for (const Plate& plate : layout.plates) {
     truss.faces.push_back(face_of(plate));
     const Face& face = truss.faces.back();
-    for (Polygon& piece : convex_pieces(face.outline))
+    for (Polygon& piece : geometry::convex_pieces(face.outline))
       truss.solids.push_back({plate.name, Solid::Kind::kPolygon, face.frame, Vector3d::Zero(), std::move(piece)});
   }
   cut_covered(truss.faces, truss.solids);

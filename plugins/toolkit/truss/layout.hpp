@@ -1,7 +1,6 @@
 // What a truss file holds, before it becomes faces and solids.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -46,10 +45,6 @@ Layout parse_layout(const std::string& text);
 // The file's text; parse_truss() of it gives build() of the same (numbers are written so that they read back exactly).
 std::string to_yaml(const Layout& layout);
 
-// Of a simple counter-clockwise polygon, by ear clipping: triangles by the indices of their corners; convex pieces (itself if it is
-// convex, else those triangles).
-std::vector<std::array<std::size_t, 3>> triangulated(const Polygon& polygon);
-std::vector<Polygon> convex_pieces(const Polygon& polygon);
 // Cuts what boxes cover out of `faces`; pieces are numbered from 1 (".1").
 void cut_covered(std::vector<Face>& faces, const std::vector<Solid>& solids);
 

@@ -7,11 +7,13 @@
 #include <numbers>
 #include <numeric>
 
-#include "truss/layout.hpp"
-#include "truss/triangle_mesh.hpp"
+#include "geometry/triangulation.hpp"
+#include "truss/merge_coplanar.hpp"
 
 namespace foothold::truss {
 namespace {
+
+using mesh::TriangleMesh;
 
 constexpr double kPlanar = 1e-6;          // m
 constexpr std::size_t kFewCorners = 100;  // beyond, a face's triangles are its solids rather than pieces cut anew
@@ -145,7 +147,7 @@ void add_face(const TriangleMesh& mesh, const std::vector<int>& face_of, const P
                                                    [](const Polygon& outline) { return outline.size() <= kFewCorners; });
   if (simple)
     for (const Polygon& outline : outlines)
-      for (Polygon& piece : convex_pieces(outline)) add_solid(std::move(piece));
+      for (Polygon& piece : geometry::convex_pieces(outline)) add_solid(std::move(piece));
   else
     for (const std::size_t k : part.triangles)
       add_solid({at.at(mesh.triangles[k][0]), at.at(mesh.triangles[k][1]), at.at(mesh.triangles[k][2])});
@@ -170,6 +172,6 @@ Truss merge_coplanar(const TriangleMesh& mesh) {
   return truss;
 }
 
-Truss read_mesh(const std::string& path) { return merge_coplanar(read_triangles(path)); }
+Truss read_mesh(const std::string& path) { return merge_coplanar(mesh::read_triangles(path)); }
 
 }  // namespace foothold::truss

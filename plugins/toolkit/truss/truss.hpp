@@ -16,12 +16,14 @@
 #include <string>
 #include <vector>
 
+#include "geometry/axis.hpp"
 #include "geometry/polygon.hpp"
 
 namespace foothold::truss {
 
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
+using geometry::axis_in;
 using geometry::Polygon;
 using geometry::Vector2d;
 
@@ -63,9 +65,5 @@ Truss parse_truss(const std::string& text);
 // the faces' convex pieces are the solids. Refused are files that are none, no triangles, degenerate ones, edges of more than two,
 // neighbours that disagree about the outer side. Throws InvalidScene whose field is such as "triangles[3]".
 Truss read_mesh(const std::string& path);
-
-// A unit vector that is perpendicular to `normal` and depends on it alone: the X axis of the face's frame of given faces and
-// meshes.
-Vector3d axis_in(const Vector3d& normal);
 
 }  // namespace foothold::truss

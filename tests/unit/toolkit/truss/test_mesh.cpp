@@ -9,7 +9,7 @@
 #include "foothold/errors.hpp"
 #include "geometry/region.hpp"
 #include "truss/layout.hpp"
-#include "truss/triangle_mesh.hpp"
+#include "truss/merge_coplanar.hpp"
 
 namespace foothold::truss {
 namespace {

@@ -11,61 +11,17 @@
 #include <unordered_map>
 
 #include "foothold/errors.hpp"
-#include "truss/layout.hpp"
-#include "truss/triangle_mesh.hpp"
+#include "geometry/axis.hpp"
+#include "geometry/triangulation.hpp"
+#include "mesh/joining.hpp"
 
-namespace foothold::truss {
+namespace foothold::mesh {
 namespace {
 
 constexpr double kFarthest = 1e4;           // m
 constexpr double kSame = 1e-6;              // m: vertices this near are one
 constexpr double kLeastHeight = 1e-6;       // m, of a triangle
 constexpr std::size_t kMostCorners = 1000;  // of a polygon in the file
-constexpr std::size_t kMostTriangles = 1000000;
-
-std::string triangle(std::size_t k) { return "triangles[" + std::to_string(k) + "]"; }
-
-// Finds vertices again that were there before.
-class Welder {
- public:
-  explicit Welder(std::vector<Vector3d>& vertices) : vertices_(vertices) {}
-
-  int weld(const Vector3d& v) {
-    const std::array<std::int64_t, 3> home = cell(v);
-    for (std::int64_t x = -1; x <= 1; ++x)
-      for (std::int64_t y = -1; y <= 1; ++y)
-        for (std::int64_t z = -1; z <= 1; ++z) {
-          const auto [begin, end] = cells_.equal_range(hash({home[0] + x, home[1] + y, home[2] + z}));
-          for (auto at = begin; at != end; ++at)
-            if ((vertices_[static_cast<std::size_t>(at->second)] - v).norm() <= kSame) return at->second;
-        }
-    vertices_.push_back(v);
-    cells_.emplace(hash(home), static_cast<int>(vertices_.size()) - 1);
-    return static_cast<int>(vertices_.size()) - 1;
-  }
-
- private:
-  static std::array<std::int64_t, 3> cell(const Vector3d& v) {
-    return {std::llround(v.x() / kSame), std::llround(v.y() / kSame), std::llround(v.z() / kSame)};
-  }
-  static std::uint64_t hash(const std::array<std::int64_t, 3>& cell) {
-    std::uint64_t out = 0;
-    for (const std::int64_t c : cell) out = (out ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15u + (out >> 29);
-    return out;
-  }
-
-  std::vector<Vector3d>& vertices_;
-  std::unordered_multimap<std::uint64_t, int> cells_;
-};
-
-void demand_height(const TriangleMesh& mesh, std::size_t k) {
-  const auto& corner = mesh.triangles[k];
-  const auto at = [&](std::size_t c) { return mesh.vertices[static_cast<std::size_t>(corner[c % 3])]; };
-  const double area = (at(1) - at(0)).cross(at(2) - at(0)).norm();
-  double longest = 0.0;
-  for (std::size_t c = 0; c < 3; ++c) longest = std::max(longest, (at(c + 1) - at(c)).norm());
-  if (!(area > kLeastHeight * longest)) throw InvalidScene(triangle(k), "is degenerate: its corners lie on one line within 1e-6 m");
-}
 
 // A face of a file may have more corners than three.
 void add_triangles(TriangleMesh& mesh, const std::vector<int>& corners) {
@@ -77,42 +33,16 @@ void add_triangles(TriangleMesh& mesh, const std::vector<int>& corners) {
     for (std::size_t k = 1; k + 1 < corners.size(); ++k) area += (at(k) - at(0)).cross(at(k + 1) - at(0));
     const std::string here = triangle(mesh.triangles.size());
     if (area.norm() < kLeastHeight * kLeastHeight) throw InvalidScene(here, "is degenerate: a polygon without area");
-    const Vector3d x = axis_in(area.normalized()), y = area.normalized().cross(x);
-    Polygon flat;
+    const Vector3d x = geometry::axis_in(area.normalized()), y = area.normalized().cross(x);
+    geometry::Polygon flat;
     for (std::size_t k = 0; k < corners.size(); ++k) flat.emplace_back((at(k) - at(0)).dot(x), (at(k) - at(0)).dot(y));
     if (geometry::first_crossing(flat)) throw InvalidScene(here, "is a polygon that crosses or touches itself");
-    parts = triangulated(flat);
+    parts = geometry::triangulated(flat);
   }
   for (const auto& part : parts) {
     if (mesh.triangles.size() == kMostTriangles) throw InvalidScene("triangles", "are more than 1000000");
     mesh.triangles.push_back({corners[part[0]], corners[part[1]], corners[part[2]]});
     demand_height(mesh, mesh.triangles.size() - 1);
-  }
-}
-
-void find_neighbours(TriangleMesh& mesh) {
-  struct Side {
-    std::size_t triangle, corner;
-  };
-  std::map<std::array<int, 2>, std::vector<Side>> edges;  // by the lower vertex first
-  for (std::size_t k = 0; k < mesh.triangles.size(); ++k)
-    for (std::size_t c = 0; c < 3; ++c) {
-      const int a = mesh.triangles[k][c], b = mesh.triangles[k][(c + 1) % 3];
-      edges[{std::min(a, b), std::max(a, b)}].push_back({k, c});
-    }
-  mesh.neighbours.assign(mesh.triangles.size(), {-1, -1, -1});
-  for (const auto& [edge, sides] : edges) {
-    if (sides.size() == 1) continue;
-    const Side &s = sides[0], &t = sides[1];
-    if (sides.size() > 2)
-      throw InvalidScene(triangle(sides[2].triangle), "shares an edge with " + triangle(s.triangle) + " and " +
-                                                          triangle(t.triangle) + ": an edge has two triangles at the most");
-    if (mesh.triangles[s.triangle][s.corner] == mesh.triangles[t.triangle][t.corner])
-      throw InvalidScene(triangle(t.triangle),
-                         "and its neighbour " + triangle(s.triangle) +
-                             " disagree about the outer side: they run along their common edge in the same direction");
-    mesh.neighbours[s.triangle][s.corner] = static_cast<int>(t.triangle);
-    mesh.neighbours[t.triangle][t.corner] = static_cast<int>(s.triangle);
   }
 }
 
@@ -192,4 +122,4 @@ TriangleMesh read_triangles(const std::string& path) {
   return mesh;
 }
 
-}  // namespace foothold::truss
+}  // namespace foothold::mesh

@@ -1,10 +1,9 @@
 // Simple polygons to convex pieces, by ear clipping.
-#include <array>
+#include "geometry/triangulation.hpp"
+
 #include <numeric>
 
-#include "truss/layout.hpp"
-
-namespace foothold::truss {
+namespace foothold::geometry {
 namespace {
 
 double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
@@ -62,4 +61,4 @@ std::vector<Polygon> convex_pieces(const Polygon& polygon) {
   return pieces;
 }
 
-}  // namespace foothold::truss
+}  // namespace foothold::geometry
