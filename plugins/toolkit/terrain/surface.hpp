@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "collision/bound_tree.hpp"
@@ -62,6 +63,12 @@ class Surface {
 
   // Triangles whose bounds touch `query` (m, world axes), in no particular order.
   std::vector<int> touching(const collision::Bounds& query) const;
+  // The same one by one, without a list: calls visit(triangle) (unsigned) and ends when it returns false. Returns whether it ran to
+  // the end.
+  template <class Visit>
+  bool visit(const collision::Bounds& query, Visit&& visit) const {
+    return tree_.visit(query, std::forward<Visit>(visit));
+  }
 
  private:
   const Terrain* terrain_;

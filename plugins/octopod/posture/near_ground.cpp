@@ -1,0 +1,103 @@
+// Planes first, triangles then.
+#include "octopod/posture/near_ground.hpp"
+
+namespace foothold::octopod {
+namespace {
+
+using collision::Box;
+using collision::Capsule;
+
+constexpr double kSamePlane = 1e-12;  // of normals and offsets: pieces of one triangle
+
+}  // namespace
+
+NearGround::NearGround(const terrain::Surface& surface, const collision::Bounds& bounds) : surface_(&surface) {
+  const terrain::Terrain& terrain = surface.terrain();
+  surface.visit(bounds, [&](std::uint32_t found) {
+    if (triangles_ == kMost) return !(too_many_ = true);
+    const int t = static_cast<int>(found);
+    const Vector3d& normal = terrain.normals[found];
+    const double offset = normal.dot(terrain.corner(t, 0));
+    std::size_t k = planes_;
+    // Pieces of one triangle are neighbours in the tree: the last planes first.
+    while (k > 0 && !(std::abs(plane_[k - 1].offset - offset) < kSamePlane &&
+                      (plane_[k - 1].normal - normal).cwiseAbs().maxCoeff() < kSamePlane))
+      --k;
+    if (k == 0) {
+      if (planes_ == kMostPlanes) return !(too_many_ = true);
+      plane_[planes_++] = {normal, offset};
+      k = planes_;
+    }
+    triangle_[triangles_] = t;
+    plane_of_[triangles_++] = static_cast<std::uint8_t>(k - 1);
+    return true;
+  });
+}
+
+template <class Body, class Below>
+bool NearGround::nearer_to(const Body& body, double clearance, Below&& below) const {
+  if (too_many_) return surface_->nearer(body, clearance);
+  std::array<bool, kMostPlanes> is_below;
+  bool any = false;
+  for (std::size_t k = 0; k < planes_; ++k) any |= is_below[k] = below(plane_[k]);
+  if (!any) return false;
+  const collision::Bounds around = collision::grown(collision::bounds_of(body), clearance);
+  const terrain::Terrain& terrain = surface_->terrain();
+  for (std::size_t i = 0; i < triangles_; ++i) {
+    if (!is_below[plane_of_[i]]) continue;
+    const int t = triangle_[i];
+    const std::array<Vector3d, 3> corners{terrain.corner(t, 0), terrain.corner(t, 1), terrain.corner(t, 2)};
+    const collision::Patch patch{corners};
+    if (around.intersects(collision::bounds_of(patch)) && collision::nearer(body, patch, clearance)) return true;
+  }
+  return false;
+}
+
+bool NearGround::nearer(const Capsule& capsule, double clearance) const {
+  const double keep = capsule.radius + clearance;
+  return nearer_to(capsule, clearance, [&](const Plane& plane) {
+    return std::min(plane.normal.dot(capsule.a), plane.normal.dot(capsule.b)) - plane.offset < keep;
+  });
+}
+
+bool NearGround::nearer(const Box& box, double clearance) const {
+  return nearer_to(box, clearance, [&](const Plane& plane) {
+    const double half = (box.pose.linear().transpose() * plane.normal).cwiseAbs().dot(box.half);
+    return plane.normal.dot(box.pose.translation()) - half - plane.offset < clearance;
+  });
+}
+
+Bodies bodies_of(const Model& model, const std::array<Isometry3d, 2>& modules, const std::array<LegPoints, kLegs>& legs) {
+  Bodies out;
+  for (std::size_t m = 0; m < 2; ++m) {
+    out.body[m] = {modules[m], model.body / 2};
+    const double forth = m == 0 ? -1.0 : 1.0;
+    const Vector3d& middle = modules[m].translation();
+    const Vector3d x = modules[m].linear().col(0);
+    out.neck[m] = {middle + forth * model.body.x() / 2 * x, middle + forth * model.arm() * x, model.neck_radius};
+  }
+  for (std::size_t i = 0; i < kLegs; ++i) {
+    const LegPoints& at = legs[i];
+    out.femur[i] = {at.shoulder, at.knee, model.leg_radius};
+    out.tibia[i] = {at.knee, at.foot + (at.knee - at.foot) * (model.foot / model.tibia), model.leg_radius};
+  }
+  return out;
+}
+
+collision::Bounds bounds_of(const Bodies& bodies) {
+  collision::Bounds out;
+  for (std::size_t m = 0; m < 2; ++m) out.extend(collision::bounds_of(bodies.body[m])).extend(collision::bounds_of(bodies.neck[m]));
+  for (std::size_t i = 0; i < kLegs; ++i)
+    out.extend(collision::bounds_of(bodies.femur[i])).extend(collision::bounds_of(bodies.tibia[i]));
+  return out;
+}
+
+std::optional<int> touching(const NearGround& ground, const Bodies& bodies, double clearance) {
+  for (std::size_t m = 0; m < 2; ++m)
+    if (ground.nearer(bodies.body[m], clearance) || ground.nearer(bodies.neck[m], clearance)) return -1;
+  for (std::size_t i = 0; i < kLegs; ++i)
+    if (ground.nearer(bodies.femur[i], clearance) || ground.nearer(bodies.tibia[i], clearance)) return static_cast<int>(i);
+  return std::nullopt;
+}
+
+}  // namespace foothold::octopod

@@ -1,0 +1,54 @@
+// The triangles around the robot, taken out of the tree once for the many bodies that are tested there.
+//
+// Most ground is flat or hollow as seen from a leg: what lies above the planes of all triangles around touches none, and neighbours
+// share planes. Only bodies beneath some plane are compared with that plane's triangles one by one.
+#pragma once
+
+#include <array>
+
+#include "octopod/model/body.hpp"
+#include "terrain/surface.hpp"
+
+namespace foothold::octopod {
+
+// Holds for bodies inside the bounds that it was made for, less the clearance. On the stack, without allocation; borrows the
+// surface.
+class NearGround {
+ public:
+  NearGround(const terrain::Surface& surface, const collision::Bounds& bounds);
+
+  // As of the surface: true if nearer than `clearance` (m, >= 0) to a triangle, or cut by one.
+  bool nearer(const collision::Capsule& capsule, double clearance) const;
+  bool nearer(const collision::Box& box, double clearance) const;
+  const terrain::Surface& surface() const { return *surface_; }
+
+ private:
+  static constexpr std::size_t kMost = 256, kMostPlanes = 48;
+  struct Plane {
+    Vector3d normal;
+    double offset;
+  };
+  template <class Body, class Below>
+  bool nearer_to(const Body& body, double clearance, Below&& below) const;
+
+  const terrain::Surface* surface_;
+  std::size_t planes_ = 0, triangles_ = 0;
+  bool too_many_ = false;  // then the tree is asked
+  std::array<Plane, kMostPlanes> plane_;
+  std::array<int, kMost> triangle_;
+  std::array<std::uint8_t, kMost> plane_of_;
+};
+
+// Bodies of the robot without its feet: a module's body and neck, a leg's femur and tibia.
+struct Bodies {
+  std::array<collision::Box, 2> body;
+  std::array<collision::Capsule, 2> neck;
+  std::array<collision::Capsule, kLegs> femur, tibia;
+};
+Bodies bodies_of(const Model& model, const std::array<Isometry3d, 2>& modules, const std::array<LegPoints, kLegs>& legs);
+collision::Bounds bounds_of(const Bodies& bodies);
+
+// The leg of which a part is nearer to the ground than `clearance` (m): 0 to 7; -1: a body or a neck; empty if none is.
+std::optional<int> touching(const NearGround& ground, const Bodies& bodies, double clearance);
+
+}  // namespace foothold::octopod

@@ -1,0 +1,25 @@
+// The steps of standing up that our method and the paper's share (section 5.1). Private to posture/.
+#pragma once
+
+#include "octopod/posture/pair.hpp"
+#include "octopod/posture/posture.hpp"
+#include "terrain/surface.hpp"
+
+namespace foothold::octopod {
+
+// The paper's ep: unit vector in the plane of `normal`.
+Vector3d axis_of(const Vector3d& normal, int orientation);
+
+// C at its height above the node; each body's Z the normal of the ground triangle beneath C +- L ep (straight down; where none lies
+// there, the nearest one), its X the axis projected into its plane. Empty if there is no ground at all.
+std::optional<Pair> bodies_over(const Model& model, const terrain::Surface& surface, const Vector3d& node, const Vector3d& normal,
+                                int orientation);
+
+// Where the foot of a leg with a right angle hangs, m, world.
+Vector3d foot_in_the_air(const Model& model, const Pair& pair, int leg);
+
+// Of a robot whose coordinates and feet are there: rear module, centre of mass, residual; and whether bodies or legs touch the
+// ground.
+Hindrance complete(const Model& model, const terrain::Surface& surface, double clearance, Built& built);
+
+}  // namespace foothold::octopod
