@@ -44,7 +44,7 @@ bool balances(const Verdict& verdict, std::span<const Contact> contacts, const V
     const auto [t, b] = tangents(contacts[i].normal);
     const double normal = f.dot(contacts[i].normal);
     if (!(normal >= -kBalanceTolerance)) return false;
-    if (!(friction_of({f.dot(t), f.dot(b)}, cone) <= mu * normal + kBalanceTolerance)) return false;
+    if (!(friction_of({f.dot(t), f.dot(b)}, cone) <= (1.0 + kBalanceTolerance) * mu * normal + kBalanceTolerance)) return false;
     force += f;
     torque += (contacts[i].point - com).cross(f);
   }

@@ -6,7 +6,7 @@
 namespace foothold::contact {
 
 // How far from exact a proof may be. Forces: unbalanced by this much (weights; torques by this much times the greatest distance of
-// a contact from the centre of mass), outside their cone by this much.
+// a contact from the centre of mass), outside their cone by this much, or by this part of mu.
 constexpr double kBalanceTolerance = 1e-9;
 // A separating wrench: y.w must exceed this part of |y|, ...
 constexpr double kSeparationTolerance = 2e-10;

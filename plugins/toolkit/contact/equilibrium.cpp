@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/certificate.hpp"
 #include "contact/projection.hpp"
 #include "contact/simplex.hpp"
 #include "contact/stance_check.hpp"
@@ -20,6 +21,7 @@ struct Equilibrium::Work {
 namespace {
 
 constexpr double kResidual = 1e-11;  // of the balance, above which the basis is factored anew
+constexpr double kUnproved = 0.5 * kBalanceTolerance;
 
 void fill(simplex::Problem& problem, std::span<const Contact> contacts, const Vector3d& com, double length) {
   problem.groups.resize((contacts.size() + simplex::kLanes - 1) / simplex::kLanes);
@@ -97,10 +99,12 @@ const Verdict& Equilibrium::judge(std::span<const Contact> contacts, const Vecto
   }
   work_->warm = true;
   simplex::Outcome outcome = simplex::solve(problem);
-  if (outcome == simplex::Outcome::kBalanced && forces_of(problem, contacts, com, length, verdict.forces) > kResidual) {
+  if (outcome == simplex::Outcome::kBalanced && !(forces_of(problem, contacts, com, length, verdict.forces) <= kResidual)) {
     simplex::rebuild(problem);
     outcome = simplex::solve(problem);
-    if (outcome == simplex::Outcome::kBalanced) forces_of(problem, contacts, com, length, verdict.forces);
+    // Forces so great that their rounding alone is too much are no proof.
+    if (outcome == simplex::Outcome::kBalanced && !(forces_of(problem, contacts, com, length, verdict.forces) <= kUnproved))
+      outcome = simplex::Outcome::kStuck;
   }
   if (outcome == simplex::Outcome::kStuck) {
     // Within rounding of the border of stability: the method that measures the distance from it decides.

@@ -16,8 +16,8 @@ namespace foothold::contact {
 
 struct Verdict {
   bool stable = false;
-  // False only where the numbers give neither proof; `stable` is then false. Seen with circular cones alone, within 1e-8 weights of
-  // the border of stability.
+  // False only where rounding hides both proofs; `stable` is then false. Seen within 1e-9 weights of the border of stability, with
+  // circular cones within 1e-8.
   bool proved = false;
   // If stable: the force on the robot at each contact, in weights, world frame. Else empty.
   std::vector<Vector3d> forces;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kRounds = 400;
 constexpr double kTouches = 1e-14;    // distance from w at which the nearest point is w
-constexpr double kHolds = 0.9e-9;     // ... at which its forces hold as far as a certificate asks
+constexpr double kHolds = 3e-10;      // ... at which its forces hold: a third of what a certificate forgives
 constexpr double kOverhang = 0.5e-5;  // greatest u.g of a separating u, as a part of u.w
 constexpr double kRoundoff = 1e-16;   // u.g of what cannot be told from 0
 // A circular cone is taken a little wider, by a part of mu that certificates forgive: then rays near to the best one are as good as
@@ -132,11 +132,13 @@ struct ActiveSet {
   }
 };
 
-// The unit vector along w's part that is orthogonal to the rays: as exact as it can be, however small the part.
+// The unit vector along w's part that is orthogonal to the rays: as exact as it can be, however small the part. Zero if they span
+// all.
 Vector6d orthogonal_to(const ActiveSet& active, const Vector6d& remainder) {
   Vector6d out = remainder.normalized();
   if (active.rays.empty()) return out;
   const Eigen::ColPivHouseholderQR<Columns> factored(active.columns());
+  if (factored.rank() == 6) return Vector6d::Zero();
   for (int k = 0; k < 2; ++k) {
     Vector6d turned = factored.householderQ().transpose() * out;
     turned.head(factored.rank()).setZero();
@@ -156,6 +158,7 @@ Verdict judge_by_projection(std::span<const Contact> contacts, const Vector3d& c
   Verdict out;
   for (; out.pivots < kRounds && remainder.norm() > kTouches; ++out.pivots) {
     u = orthogonal_to(active, remainder);
+    if (u.isZero()) break;
     const auto [ray, reach] = cones.farthest(u);
     if (contacts.empty() || reach <= std::max(kRoundoff, kOverhang * u[2] * (remainder.norm() > kHolds ? 1.0 : 0.0))) break;
     if (!active.add(ray, w)) break;
@@ -169,7 +172,7 @@ Verdict judge_by_projection(std::span<const Contact> contacts, const Vector3d& c
       out.forces[active.rays[j].contact] += active.weights[static_cast<Eigen::Index>(j)] * active.rays[j].force;
     return out;
   }
-  out.proved = contacts.empty() || cones.farthest(u).reach <= kOverhang * u[2];
+  out.proved = contacts.empty() || (!u.isZero() && cones.farthest(u).reach <= kOverhang * u[2]);
   out.separating << u.head<3>(), u.tail<3>() / cones.length;
   return out;
 }

@@ -11,10 +11,10 @@ namespace {
 #define FOOTHOLD_INLINE inline __attribute__((always_inline))
 
 constexpr std::array<double, 6> kPerturbed = {1.3e-7, 0.7e-7, 1.0 + 1.1e-7, 0.9e-7, 1.7e-7, 0.5e-7};
-constexpr double kZero = 1e-12;       // of an x
-constexpr double kLeastPivot = 1e-9;  // of a step's change of a basic x
-constexpr double kSeparation = 1e-9;  // least y.w of a separating wrench of unit size
-constexpr double kOverhang = 0.5e-5;  // greatest y.g of one, as a part of y.w
+constexpr double kZero = 1e-12;          // of an x
+constexpr double kLeastPivot = 1e-9;     // of a step's change of a basic x
+constexpr double kSeparation = 2.5e-10;  // least y.w of a separating wrench of unit size
+constexpr double kOverhang = 0.5e-5;     // greatest y.g of one, as a part of y.w
 // Columns of a circular cone come from one wider by this part of mu, which certificates forgive: then a column near to the best one
 // is as good as the best one is for the cone as it is, and the method ends instead of making columns ever closer to each other.
 constexpr double kWidening = 2e-10;
@@ -211,8 +211,9 @@ FOOTHOLD_INLINE Outcome run(Problem& p, Lanes& x, int limit) {
     for (std::size_t k = 0; k < 6; ++k) {
       p.y[k] = 0.0;
       for (std::size_t i = 0; i < 6; ++i) p.y[k] += c[i] * basis.inverse[k][i];
-      size = std::max(size, std::abs(p.y[k]));
+      size += std::abs(p.y[k]);
     }
+    if (!std::isfinite(size)) return Outcome::kStuck;
     const Best best = price<kCircular>(p, p.y);
     if (p.y[2] > kSeparation * size && !(best.reach > kOverhang * p.y[2])) return Outcome::kSeparated;
     if (!(best.price > kRoundoff * size)) return Outcome::kStuck;
