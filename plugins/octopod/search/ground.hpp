@@ -3,19 +3,22 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "contact/equilibrium.hpp"
 #include "foothold/planner.hpp"
 #include "octopod/posture/posture.hpp"
+#include "terrain/surface.hpp"
 
 namespace foothold::octopod {
 
 // What postures and verdicts depend on beside the terrain.
 struct GroundOptions {
   double resolution = 0.2;  // m, bound of the fine triangles' circumradius
-  int neighbours = 10;      // nearest centroids, beside those across a triangle's edges
+  terrain::Split split = terrain::Split::kMidpoint;
+  int neighbours = 10;  // nearest centroids, beside those across a triangle's edges
   double friction = 0.4;
   int cone_edges = 10;     // 0: the exact circular cone
   double clearance = 0.0;  // m, bodies and legs above the ground
@@ -29,7 +32,8 @@ inline int orientation_of(State state) { return state % kOrientations; }
 // Used by one thread at a time.
 class Ground final : public PreparedScene {
  public:
-  // Throws InvalidScene.
+  // The surface's terrain is as the file gave it: feet stand on it. Its ground triangles are cut finer for the nodes.
+  // Throws InvalidScene (too many fine triangles) and std::invalid_argument for options out of range.
   Ground(const Model& model, std::shared_ptr<const terrain::Surface> surface, const GroundOptions& options);
   ~Ground() override;
 
@@ -38,17 +42,26 @@ class Ground final : public PreparedScene {
   const GroundOptions& options() const;
 
   int nodes() const;
-  Vector3d place(int node) const;   // m, on the surface
-  Vector3d normal(int node) const;  // faces up
+  int states() const { return kOrientations * nodes(); }
+  const Vector3d& place(int node) const;   // m, on the surface
+  const Vector3d& normal(int node) const;  // faces up
+  double slope(int node) const;            // rad
   int nearest_node(const Vector3d& point) const;
-  std::span<const int> nearest(int node) const;   // the paper's ten nearest
-  std::span<const int> adjacent(int node) const;  // those and the triangles across the edges, sorted, without doubles
+  std::span<const int> nearest(int node) const;  // the paper's ten nearest, nearest first
+  // Where the robot may go next: those, the nodes that have this one among theirs, and the triangles across the edges. Sorted,
+  // without doubles; a is adjacent to b whenever b is to a.
+  std::span<const int> adjacent(int node) const;
 
   // Kept once computed.
   const Built& standing(State state) const;
+  bool stands(State state) const { return standing(state).hindrance == Hindrance::kNone; }
   bool stable(State state) const;               // false if there is no posture
   double critical_friction(State state) const;  // least at which it is stable; infinity if none
-  // Forgets postures and verdicts: for benches that measure a first look.
+  // Whether the robot can go from one state to the next, once keep_passage() has said so.
+  std::optional<bool> passage(State from, State to) const;
+  void keep_passage(State from, State to, bool open) const;
+  long postures_made() const;  // since the beginning
+  // Forgets postures, verdicts and passages: for benches that measure a first look.
   void forget() const;
 
   std::vector<Shape> shapes() const override;

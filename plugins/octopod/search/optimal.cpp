@@ -1,0 +1,216 @@
+// A* over (node, orientation), after Molla-Santamaria et al. 2023, section 5, whose A* keeps one orientation to a node and so is
+// not optimal on its own cost: q depends on the orientation before.
+//
+// f = g + h. h: the distance to the goal over the nodes, plus the change of posture to the nearest of the goal's postures. Both are
+// consistent (q is a metric), so a state is closed at its least cost.
+//
+// Lazy (after Cohen, Phillips, Likhachev 2014): a state is promised with a lower bound of f first, which needs no posture of it
+// (triangle inequality: w q(u, v) + h(v) is at least what u's own posture is from the goal's); its posture and verdict are made
+// when the promise comes up, and whether the edge to it is open when the state itself does.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+#include "octopod/search/cut.hpp"
+#include "octopod/search/distances.hpp"
+#include "octopod/search/open_list.hpp"
+#include "octopod/search/route.hpp"
+
+namespace foothold::octopod {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+enum class Stage : std::uint8_t { kPromised, kJudged, kClosed, kForbidden };
+
+struct Seen {
+  double g = kInfinity;
+  double to_goal = 0.0;  // of judged ones: h
+  State parent = -1;
+  Stage stage = Stage::kPromised;
+};
+
+class Search {
+ public:
+  Search(const Ground& ground, State from, int goal_node, const RouteOptions& options, const Edge& edge,
+         const std::stop_token& stop)
+      : ground_(ground),
+        from_(from),
+        goal_node_(goal_node),
+        options_(options),
+        edge_(edge),
+        stop_(stop),
+        distances_(distances_to(ground, goal_node)),
+        seen_(static_cast<std::size_t>(ground.states())),
+        open_(ground.states()) {
+    for (State goal = kOrientations * goal_node; goal < kOrientations * (goal_node + 1); ++goal)
+      if (allowed(goal)) goals_.push_back(goal);
+  }
+
+  Route run();
+
+ private:
+  Seen& at(State state) { return seen_[static_cast<std::size_t>(state)]; }
+  double distance(State state) const { return distances_[static_cast<std::size_t>(node_of(state))]; }
+  bool allowed(State state) const { return options_.stability ? ground_.stable(state) : ground_.stands(state); }
+  double step(State a, State b) const { return step_cost(ground_, a, b, options_); }
+  double to_goal(State state) const;
+  // Whether the state's posture will do; then it is open with its least cost over the closed states beside it.
+  void judge(State state);
+  // The way to it that costs least, of the ways that are not known to be closed.
+  void choose_parent(State state);
+  bool passable(State state);
+  void expand(State state);
+  Route route_to(State goal);
+
+  const Ground& ground_;
+  State from_;
+  int goal_node_;
+  const RouteOptions& options_;
+  const Edge& edge_;
+  const std::stop_token& stop_;
+  std::vector<double> distances_;
+  std::vector<State> goals_;
+  std::vector<Seen> seen_;
+  std::unordered_map<State, std::vector<State>> shut_;  // by state: from where it was asked for and refused
+  OpenList open_;
+};
+
+double Search::to_goal(State state) const {
+  double least = kInfinity;
+  for (const State goal : goals_)
+    least = std::min(least, change(ground_.standing(state).standing, ground_.standing(goal).standing, options_.weights));
+  return distance(state) + options_.posture_weight * least;
+}
+
+void Search::judge(State state) {
+  if (!allowed(state)) {
+    at(state).stage = Stage::kForbidden;
+    return;
+  }
+  at(state).stage = Stage::kJudged;
+  at(state).to_goal = to_goal(state);
+  choose_parent(state);
+}
+
+void Search::choose_parent(State state) {
+  Seen& seen = at(state);
+  seen.g = kInfinity;
+  const auto shut = shut_.find(state);
+  for (const int node : ground_.adjacent(node_of(state)))
+    for (State other = kOrientations * node; other < kOrientations * (node + 1); ++other) {
+      if (at(other).stage != Stage::kClosed) continue;
+      if (shut != shut_.end() && std::find(shut->second.begin(), shut->second.end(), other) != shut->second.end()) continue;
+      const double g = at(other).g + step(other, state);
+      if (g < seen.g) {
+        seen.g = g;
+        seen.parent = other;
+      }
+    }
+  if (seen.g < kInfinity) open_.put(state, seen.g + seen.to_goal);
+}
+
+bool Search::passable(State state) {
+  const State parent = at(state).parent;
+  if (!edge_ || parent < 0 || edge_(parent, state)) return true;
+  shut_[state].push_back(parent);
+  choose_parent(state);
+  return false;
+}
+
+void Search::expand(State state) {
+  const Seen& self = at(state);
+  const double change_left = self.to_goal - distance(state);
+  const int node = node_of(state);
+  for (const int other : ground_.adjacent(node)) {
+    const double least =
+        self.g + (ground_.place(other) - ground_.place(node)).norm() + distances_[static_cast<std::size_t>(other)] + change_left;
+    for (State next = kOrientations * other; next < kOrientations * (other + 1); ++next) {
+      Seen& seen = at(next);
+      if (seen.stage == Stage::kPromised) {
+        if (least < open_.key(next)) open_.put(next, least);
+      } else if (seen.stage == Stage::kJudged && least < seen.g + seen.to_goal) {
+        const double g = self.g + step(state, next);
+        if (g >= seen.g) continue;
+        seen.g = g;
+        seen.parent = state;
+        open_.put(next, g + seen.to_goal);
+      }
+    }
+  }
+}
+
+Route Search::route_to(State goal) {
+  Route out;
+  out.end = Route::End::kFound;
+  out.cost = out.bound = at(goal).g;
+  out.optimal = true;
+  for (State state = goal; state >= 0; state = at(state).parent) {
+    out.states.push_back(state);
+    out.costs.push_back(at(state).g);
+  }
+  std::reverse(out.states.begin(), out.states.end());
+  std::reverse(out.costs.begin(), out.costs.end());
+  return out;
+}
+
+Route Search::run() {
+  long expanded = 0;
+  Route out;
+  if (!goals_.empty() && allowed(from_) && distance(from_) < kInfinity) {
+    Seen& start = at(from_);
+    start = {0.0, to_goal(from_), -1, Stage::kJudged};
+    open_.put(from_, start.to_goal);
+  }
+  while (true) {
+    if (open_.empty()) {
+      std::vector<bool> reached(seen_.size());
+      std::transform(seen_.begin(), seen_.end(), reached.begin(), [](const Seen& s) { return s.stage == Stage::kClosed; });
+      reached[static_cast<std::size_t>(from_)] = true;
+      out = blocked(ground_, reached, from_, goal_node_, options_.stability);
+      break;
+    }
+    out.bound = open_.least();
+    if (stop_.stop_requested()) {
+      out.end = Route::End::kStopped;
+      break;
+    }
+    const State state = open_.pop();
+    if (at(state).stage == Stage::kPromised) {
+      judge(state);
+      continue;
+    }
+    if (!passable(state)) continue;
+    at(state).stage = Stage::kClosed;
+    if (node_of(state) == goal_node_) {
+      out = route_to(state);
+      break;
+    }
+    if (expanded >= options_.max_states) {
+      out.end = Route::End::kExhausted;
+      break;
+    }
+    ++expanded;
+    expand(state);
+  }
+  out.expanded = expanded;
+  return out;
+}
+
+}  // namespace
+
+double step_cost(const Ground& ground, State from, State to, const RouteOptions& options) {
+  const double d = (ground.place(node_of(to)) - ground.place(node_of(from))).norm();
+  return d + options.posture_weight * change(ground.standing(from).standing, ground.standing(to).standing, options.weights);
+}
+
+Route optimal_route(const Ground& ground, State from, int goal_node, const RouteOptions& options, const Edge& edge,
+                    const std::stop_token& stop) {
+  const long before = ground.postures_made();
+  Route out = Search(ground, from, goal_node, options, edge, stop).run();
+  out.postures = ground.postures_made() - before;
+  return out;
+}
+
+}  // namespace foothold::octopod
