@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace foothold::hyrecro {
 namespace {
 
 constexpr double kRounding = 1e-9;  // m: what lies this near beyond a bound counts as within
+constexpr double kCell = 5e-4;      // m, of shifts and heights
+constexpr int kAngles = 4000;       // of a leg, from upright to the furthest lean
+constexpr double kBetween = 1e-4;   // m: further than this from those angles' pins no pin is
 
 // Greatest shift of a leg that leans by `psi`, m.
 double greatest_shift(const Model& model, double psi) {
@@ -41,6 +45,104 @@ StrideBounds::StrideBounds(const Model& model) : hip_distance_(model.hip_distanc
   }
   const double longest_leg = 2.0 * model.mechanism.offsets(0.0).high - model.core;
   transition_reach_ = 2.0 * (model.ankle_height + longest_leg + model.hip_drop) + model.hip_distance;
+  couple_shifts(model);
+}
+
+// Pins of upright legs (psi = 0) lie on radial segments, one for each phi. Between two neighbouring angles, at most 2.2e-4 rad
+// apart, the ends of the segments move by less than 0.4 m/rad (their length is below 0.35 m and changes by less than 2 (b + p) a
+// radian).
+void StrideBounds::couple_shifts(const Model& model) {
+  const double longest_leg = 2.0 * model.mechanism.offsets(0.0).high - model.core;
+  const auto cell = [](double at) { return static_cast<std::size_t>(std::max(0.0, at) / kCell); };
+  std::vector<double> greatest(cell(longest_leg) + 3, 0.0);              // shift, by height
+  std::vector<double> lowest(cell(shift_ + kBetween) + 2, longest_leg);  // height, by shift
+  for (int i = 0; i <= kAngles; ++i) {
+    const double phi = model.mechanism.greatest_phi() * i / kAngles;
+    const kinematics::Interval y = model.mechanism.offsets(phi);
+    if (y.empty()) continue;
+    const double shortest = 2.0 * y.low - model.core, longest = 2.0 * y.high - model.core;
+    const double sine = std::sin(phi), cosine = std::cos(phi);
+    for (std::size_t c = cell(shortest * cosine - kBetween); c <= cell(longest * cosine + kBetween); ++c) {
+      const double top = std::min(longest * cosine, kCell * static_cast<double>(c + 1) + kBetween);
+      greatest[c] = std::max(greatest[c], top * sine / cosine + kBetween);
+    }
+    for (std::size_t s = cell(shortest * sine - kBetween); s <= cell(longest * sine + kBetween) && s < lowest.size(); ++s) {
+      const double at = sine > 1e-6 ? (kCell * static_cast<double>(s) - kBetween) * cosine / sine : 0.0;
+      lowest[s] = std::min(lowest[s], std::max(shortest * cosine, at) - kBetween);
+    }
+  }
+  // From each height up.
+  for (std::size_t c = greatest.size() - 1; c-- > 0;) greatest[c] = std::max(greatest[c], greatest[c + 1]);
+  for (std::size_t s = lowest.size(); s-- > 0;) {
+    const double low = kCell * static_cast<double>(s), other = std::min(shift_, greatest[cell(lowest[s])]);
+    if (low > shift_) continue;
+    if (!coupled_.empty() && other <= coupled_.back().other && coupled_.back().other - other < 1e-5)
+      coupled_.back().low = low;
+    else
+      coupled_.push_back({low, std::min(shift_, low + kCell), other});
+  }
+}
+
+double StrideBounds::advance(const Vector2d& heading, double low, double high) const {
+  const double ahead = heading.x(), aside = heading.y();
+  double best = 0.0;
+  // With the hip's reach `radius`, and the own shift from `from` to `to`: a concave function of the shift, greatest at an end or
+  // where the way to the strip's border runs along the heading.
+  const auto look = [&](double radius, double from, double to) {
+    if (std::max(from * ahead, to * ahead) + radius <= best) return;
+    const auto value = [&](double shift) {
+      const double beside = shift * aside, beyond = std::max({0.0, beside - high, low - beside});
+      if (beyond < radius) best = std::max(best, shift * ahead + std::sqrt(radius * radius - beyond * beyond));
+    };
+    value(from);
+    value(to);
+    if (std::fabs(aside) < 1e-9) return;
+    for (const double border : {low, high})
+      for (const double beyond : {0.0, radius * ahead, -radius * ahead}) {
+        const double shift = (border + beyond) / aside;
+        if (shift > from && shift < to) value(shift);
+      }
+  };
+  for (const Shifts& shifts : coupled_) {
+    look(hip_distance_ + shifts.other, shifts.low, shifts.high);
+    look(hip_distance_ + shifts.other, -shifts.high, -shifts.low);
+  }
+  // Singular postures: both shifts along one line, whatever they are.
+  look(hip_distance_, -2.0 * shift_, 2.0 * shift_);
+  return std::min(best, reach());
+}
+
+int StrideBounds::least_along(double distance, double first, double last) const {
+  if (distance <= std::min(first, last) + kRounding) return 1;
+  return 2 + std::max(0, static_cast<int>(std::ceil((distance - first - last - kRounding) / reach())));
+}
+
+Strip strip_of(const Polygon& outline, double inset) {
+  Strip best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vector2d edge = outline[(i + 1) % outline.size()] - outline[i];
+    if (edge.norm() < kRounding) continue;
+    Strip strip{edge.normalized(), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const Vector2d& corner : outline) {
+      strip.low = std::min(strip.low, strip.across(corner));
+      strip.high = std::max(strip.high, strip.across(corner));
+    }
+    if (strip.high - strip.low < least - kRounding) {
+      least = strip.high - strip.low;
+      best = strip;
+    }
+  }
+  best.low += inset;
+  best.high -= inset;
+  return best;
+}
+
+Advances advances(const StrideBounds& bounds, const Strip& strip, const Foothold& foothold) {
+  const Vector2d heading = direction(foothold.heading);
+  const Vector2d seen(strip.along.dot(heading), strip.across(heading));
+  const double at = strip.across(foothold.at), low = strip.low - at, high = strip.high - at;
+  return {bounds.advance(seen, low, high), bounds.advance(-seen, -high, -low)};
 }
 
 Vector2d StrideBounds::rest(const Vector2d& difference, const Vector2d& u, const Vector2d& v) const {

@@ -24,11 +24,29 @@ double quarter(double heading) { return std::round(heading / (0.5 * std::numbers
 
 }  // namespace
 
-int Legs::least(const Foothold& u, const Foothold& v) const {
+int Legs::least_anywhere(const Foothold& u, const Foothold& v) const {
   const int least = bounds_.least(u, v);
   if (least != 1) return least;
   const Vector3d& plate = strides_.model().plate;
   return (v.at - u.at).norm() < std::min(plate.x(), plate.y()) + strides_.scene().clearance ? 2 : 1;
+}
+
+int Legs::least(const Foothold& u, const Advances& of_u, const Foothold& v, const Advances& of_v) {
+  const int anywhere = least_anywhere(u, v);
+  if (anywhere == 0) return 0;
+  const double way = strip(u.face).along.dot(v.at - u.at);
+  const int along = way >= 0.0 ? bounds_.least_along(way, of_u.forth, of_v.back) : bounds_.least_along(-way, of_u.back, of_v.forth);
+  return std::max(anywhere, along);
+}
+
+int Legs::least(const Foothold& u, const Foothold& v) { return least(u, advances_of(u), v, advances_of(v)); }
+
+const Strip& Legs::strip(int face) {
+  const auto [entry, fresh] = strips_.try_emplace(face);
+  if (fresh)
+    entry->second = strip_of(strides_.scene().truss.faces[static_cast<std::size_t>(face)].outline,
+                             0.5 * std::min(strides_.model().plate.x(), strides_.model().plate.y()));
+  return entry->second;
 }
 
 std::optional<std::vector<Stride>> Legs::find(const Foothold& u, const Foothold& v, int count, const Banned& banned) {
@@ -65,7 +83,7 @@ bool Legs::has_footing(const Foothold& u, bool thorough) {
     for (double y = -bounds_.reach(); y <= bounds_.reach(); y += kFineStep)
       for (int turn = 0; turn < kFineTurns; ++turn) {
         const Foothold next{u.face, u.at + Vector2d(x, y), u.heading + turn * 2.0 * std::numbers::pi / kFineTurns};
-        if (least(next, u) != 1 || !strides_.on_face(next)) continue;
+        if (least_anywhere(next, u) != 1 || !strides_.on_face(next)) continue;
         ++tried_;
         if (strides_.level(next, u)) return true;
       }
@@ -95,7 +113,8 @@ bool Legs::walk(int left) {
   for (const Foothold& next : open) {
     if (tried_ >= most_tried_ || most_looks_ == 0) return false;
     --most_looks_;
-    if (least(from, next) != 1 || least(next, goal_) > left - 1 || same(next, goal_) || !strides_.on_face(next)) continue;
+    if (least_anywhere(from, next) != 1 || least_anywhere(next, goal_) > left - 1 || same(next, goal_) || !strides_.on_face(next))
+      continue;
     const std::optional<Coordinates> found = judge(from, next, false);
     if (!found) continue;
     chain_.push_back({next, *found});

@@ -23,8 +23,13 @@ class Legs {
  public:
   explicit Legs(Strides& strides) : strides_(strides), bounds_(strides.bounds()) {}
 
-  // Least strides of a leg that no posture contradicts: StrideBounds, and 2 where both plates would overlap.
-  int least(const Foothold& u, const Foothold& v) const;
+  // Least strides of a leg that no posture contradicts: StrideBounds, also along the face's strip, and 2 where both plates would
+  // overlap.
+  int least(const Foothold& u, const Foothold& v);
+  // The same with both footholds' advances() along strip(), for those that ask often.
+  int least(const Foothold& u, const Advances& of_u, const Foothold& v, const Advances& of_v);
+  const Strip& strip(int face);
+  Advances advances_of(const Foothold& foothold) { return advances(bounds_, strip(foothold.face), foothold); }
 
   // What a leg along the face takes about: least(), or more where the straight way leaves the face.
   int likely(const Foothold& u, const Foothold& v);
@@ -41,6 +46,8 @@ class Legs {
  private:
   // Where a foot may stand on a face, by the plate's half width; empty for faces without reflex corners, where ways are straight.
   using Rooms = std::vector<geometry::PolygonPaths>;
+  // Without the strip.
+  int least_anywhere(const Foothold& u, const Foothold& v) const;
   bool walk(int left);
   std::optional<Coordinates> judge(const Foothold& from, const Foothold& to, bool last);
   void candidates(const Foothold& from, int left, std::vector<Foothold>& out);
@@ -56,6 +63,7 @@ class Legs {
   std::vector<Stride> chain_;
   std::vector<std::vector<Foothold>> open_;  // candidates by depth
   std::unordered_map<int, Rooms> rooms_;     // by face
+  std::unordered_map<int, Strip> strips_;    // by face
   std::size_t tried_ = 0, most_tried_ = 0, most_looks_ = 0, most_exact_ = 0;
 };
 

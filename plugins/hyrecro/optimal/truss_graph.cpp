@@ -34,6 +34,13 @@ KeptTruss::KeptTruss(const Model& model, const PreparedTruss& given)
   for (const TransitionFoothold& one : given.transitions.all()) places.push_back(one.pose.translation());
   rows_.resize(places.size());
   footing.assign(places.size(), -1);
+  advances_.assign(places.size(), {-1.0, -1.0});
+}
+
+const Advances& KeptTruss::advances_of(int foothold) {
+  Advances& out = advances_[static_cast<std::size_t>(foothold)];
+  if (out.forth < 0.0) out = legs.advances_of(scene.transitions.all()[static_cast<std::size_t>(foothold)].foothold);
+  return out;
 }
 
 const std::vector<std::uint8_t>& KeptTruss::row(int foothold) {
@@ -41,8 +48,10 @@ const std::vector<std::uint8_t>& KeptTruss::row(int foothold) {
   if (!out.empty()) return out;
   const auto& all = scene.transitions.all();
   const Foothold& from = all[static_cast<std::size_t>(foothold)].foothold;
+  const Advances& of_from = advances_of(foothold);
   for (const int other : scene.transitions.of_face(from.face))
-    out.push_back(static_cast<std::uint8_t>(std::min(255, legs.least(from, all[static_cast<std::size_t>(other)].foothold))));
+    out.push_back(static_cast<std::uint8_t>(
+        std::min(255, legs.least(from, of_from, all[static_cast<std::size_t>(other)].foothold, advances_of(other)))));
   in_rows_ += out.size();
   return out;
 }
@@ -85,6 +94,7 @@ TrussGraph::TrussGraph(const Model& model, const PreparedTruss& scene, KeptTruss
   if (goal.face == start.face) start_face_.push_back(this->goal());
   goal_face_ = scene.transitions.of_face(goal.face);
   goal_face_.push_back(this->goal());
+  own_advances_ = {kept.legs.advances_of(start), kept.legs.advances_of(goal)};
   list_own(this->start());
   list_own(this->goal());
 }
@@ -122,7 +132,8 @@ const std::vector<std::uint8_t>* TrussGraph::row_of(int node) {
 // on_face() begins with the scene's footholds, in the order of a row.
 int TrussGraph::least(int node, const std::vector<std::uint8_t>* row, std::size_t index, int other, double distance) {
   if (kept_.large()) return kept_.strides.bounds().least_apart(distance);
-  return row != nullptr && other < samples_ ? (*row)[index] : kept_.legs.least(at(node), at(other));
+  return row != nullptr && other < samples_ ? (*row)[index]
+                                            : kept_.legs.least(at(node), advances_of(node), at(other), advances_of(other));
 }
 
 void TrussGraph::leg_bounds(int node, std::span<Cost> out) {

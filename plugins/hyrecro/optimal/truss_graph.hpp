@@ -29,6 +29,7 @@ struct KeptTruss final : PreparedTruss::Kept {
   };
   // Least strides of legs from a foothold to each of its face.
   const std::vector<std::uint8_t>& row(int foothold);
+  const Advances& advances_of(int foothold);
   // Bounds what is kept; to be called between requests.
   void tidy();
 
@@ -47,6 +48,7 @@ struct KeptTruss final : PreparedTruss::Kept {
 
  private:
   std::vector<std::vector<std::uint8_t>> rows_;
+  std::vector<Advances> advances_;  // by foothold; below 0: not known
   std::size_t in_rows_ = 0;
 };
 
@@ -93,6 +95,9 @@ class TrussGraph final : public RouteGraph {
   void tell(int from, int to, bool found);
   std::uint32_t corner(int node) const;
   const std::vector<std::uint8_t>* row_of(int node);
+  const Advances& advances_of(int node) {
+    return node < samples_ ? kept_.advances_of(node) : own_advances_[node == start() ? 0 : 1];
+  }
   int least(int node, const std::vector<std::uint8_t>* row, std::size_t index, int other, double distance);
 
   const Model& model_;
@@ -104,6 +109,7 @@ class TrussGraph final : public RouteGraph {
   int samples_;
   std::vector<int> start_face_, goal_face_;  // nodes there, with start and goal
   std::array<signed char, 2> own_footing_{-1, -1};
+  std::array<Advances, 2> own_advances_;
   std::array<Vector3d, 2> own_places_;                            // of start and goal
   std::unordered_map<int, std::vector<Transition>> own_lists_;    // of start and goal; of footholds: those two alone
   std::unordered_map<std::uint64_t, KeptTruss::Leg> own_walked_;  // with start, goal or bans

@@ -88,6 +88,108 @@ TEST(StrideBounds, KeepTheTriangleInequality) {
   }
 }
 
+// The legs of an upright posture: leg 0 leans by `phi0` and is `share` of the way out, the other one leans as far as it can at that
+// height.
+std::optional<Coordinates> stretched(double phi0, double share) {
+  const Model& model = robot();
+  const auto y = model.mechanism.offsets(phi0);
+  if (y.empty()) return std::nullopt;
+  Coordinates c;
+  const double each = y.low + share * (y.high - y.low), height = (2.0 * each - model.core) * std::cos(phi0);
+  c.leg[0] = {phi0, each, -phi0, each};
+  for (double phi1 = model.mechanism.greatest_phi(); phi1 >= 0.0; phi1 -= 2e-3) {
+    const auto other = model.mechanism.offsets(phi1);
+    const double half = 0.5 * (height / std::cos(phi1) + model.core);
+    if (other.empty() || !other.holds(half)) continue;
+    c.leg[1] = {phi1, half, -phi1, half};
+    return c;
+  }
+  return std::nullopt;
+}
+
+// The hip's line goes to `to` and sole 1 heads to `heading`, both seen from sole 0.
+Isometry3d headed(Coordinates c, double to, double heading) {
+  c.hip = {to, to - heading};
+  return forward(robot(), c);
+}
+
+TEST(StrideBounds, NothingAdvancesFurtherAlongAStripAndSomethingNearlyAsFar) {
+  const StrideBounds bounds(robot());
+  std::mt19937_64 random(14);
+  for (int i = 0; i < 24; ++i) {
+    const double heading = i % 3 == 0 ? 0.5 * std::numbers::pi * (i % 4) : uniform(random, -4, 4);
+    const double low = uniform(random, -0.12, 0.0), high = uniform(random, 0.0, 0.12);
+    const double bound = bounds.advance(direction(heading), low, high);
+    EXPECT_LE(bound, bounds.reach());
+    double furthest = 0.0;
+    for (double phi0 = -0.86; phi0 < 0.86; phi0 += 0.02)
+      for (double share = 0.0; share <= 1.0; share += 0.125)
+        if (const auto legs = stretched(phi0, share))
+          for (double to = -1.5; to < 1.5; to += 0.02) {
+            // A positive phi takes leg 1's pin back: its sole is in front.
+            const Isometry3d pose = headed(*legs, to - heading, to - heading);
+            const Vector2d at = Eigen::Rotation2Dd(heading) * pose.translation().head<2>();
+            if (at.y() >= low && at.y() <= high) furthest = std::max(furthest, at.x());
+          }
+    EXPECT_LE(furthest, bound) << "heading " << heading << ", strip " << low << " to " << high;
+    EXPECT_GT(furthest, bound - 0.008) << "heading " << heading << ", strip " << low << " to " << high;
+  }
+}
+
+TEST(StrideBounds, NoChainInAStripTakesFewerStrides) {
+  const StrideBounds bounds(robot());
+  std::mt19937_64 random(15);
+  int tight = 0;
+  for (int chain = 0; chain < 3'000; ++chain) {
+    const double half = uniform(random, 0.005, 0.15), turn = uniform(random, -4, 4);
+    const Strip strip{direction(turn), -half, half};
+    // Headings mostly along and across, as those are that reach far or stand at an edge.
+    const auto heading = [&] {
+      return random() % 2 == 0 ? uniform(random, -4, 4) : turn + 0.5 * std::numbers::pi * static_cast<double>(random() % 4);
+    };
+    const Foothold start{0, uniform(random, -half, half) * Vector2d(-strip.along.y(), strip.along.x()), heading()};
+    Foothold at = start;
+    const int count = 1 + static_cast<int>(random() % 4);
+    int done = 0;
+    for (int tries = 0; done < count && tries < 200; ++tries) {
+      const double share = random() % 2 == 0 ? 0.0 : uniform(random, 0, 1), next_heading = heading();
+      const double to = turn + uniform(random, -0.5, 0.5) - at.heading;
+      std::optional<Isometry3d> stride;
+      if (random() % 8 == 0)
+        stride = leaning(random);
+      else if (const auto legs = stretched(uniform(random, -0.85, 0.85), share))
+        stride = headed(*legs, to, next_heading - at.heading);
+      if (!stride) continue;
+      const Foothold next = after(at, *stride);
+      if (std::fabs(strip.across(next.at)) > half || strip.along.dot(next.at - at.at) < 0.35) continue;
+      at = next;
+      ++done;
+    }
+    if (done < count) continue;
+    const double way = strip.along.dot(at.at - start.at);
+    const int least = bounds.least_along(way, advances(bounds, strip, start).forth, advances(bounds, strip, at).back);
+    ASSERT_LE(least, count) << "chain " << chain;
+    tight += least == count ? 1 : 0;
+  }
+  EXPECT_GT(tight, 500);
+}
+
+TEST(StrideBounds, KeepTheTriangleInequalityAlongAStrip) {
+  const StrideBounds bounds(robot());
+  std::mt19937_64 random(16);
+  for (int i = 0; i < 20'000; ++i) {
+    const double half = uniform(random, 0.005, 0.15);
+    const Strip strip{{1.0, 0.0}, -half, half};
+    const auto some = [&] { return Foothold{0, {uniform(random, -1, 1), uniform(random, -half, half)}, uniform(random, -4, 4)}; };
+    const auto least = [&](const Foothold& a, const Foothold& b) {
+      const Foothold &from = a.at.x() < b.at.x() ? a : b, &to = a.at.x() < b.at.x() ? b : a;
+      return bounds.least_along(to.at.x() - from.at.x(), advances(bounds, strip, from).forth, advances(bounds, strip, to).back);
+    };
+    const Foothold a = some(), b = some(), c = some();
+    ASSERT_LE(least(a, c), least(a, b) + least(b, c));
+  }
+}
+
 TEST(LevelPostures, PutTheFreeSoleWhereItShallBe) {
   const LevelPostures postures(robot(), StrideBounds(robot()).shift());
   std::mt19937_64 random(13);
