@@ -12,7 +12,7 @@
 namespace foothold::octopod {
 
 // Holds for bodies inside the bounds that it was made for, less the clearance. On the stack, without allocation; borrows the
-// surface.
+// surface. Where there are too many triangles the surface's own tree is asked.
 class NearGround {
  public:
   NearGround(const terrain::Surface& surface, const collision::Bounds& bounds);
@@ -20,14 +20,19 @@ class NearGround {
   // As of the surface: true if nearer than `clearance` (m, >= 0) to a triangle, or cut by one.
   bool nearer(const collision::Capsule& capsule, double clearance) const;
   bool nearer(const collision::Box& box, double clearance) const;
+  // Whether the line from a sole on (or off) the ground up to its ankle comes from outside and cuts no other ground: of triangles
+  // that meet under the sole the ankle is above all where they make a hollow, above one where they make a ridge.
+  bool foot_free(const Vector3d& sole, const Vector3d& ankle) const;
   const terrain::Surface& surface() const { return *surface_; }
 
  private:
-  static constexpr std::size_t kMost = 256, kMostPlanes = 48;
+  static constexpr std::size_t kMost = 256, kMostPlanes = 128, kRecent = 8;
   struct Plane {
     Vector3d normal;
     double offset;
   };
+  template <class Visit>
+  bool visit(const collision::Bounds& around, const std::array<bool, kMostPlanes>& planes, Visit&& visit) const;
   template <class Body, class Below>
   bool nearer_to(const Body& body, double clearance, Below&& below) const;
 
@@ -39,16 +44,18 @@ class NearGround {
   std::array<std::uint8_t, kMost> plane_of_;
 };
 
-// Bodies of the robot without its feet: a module's body and neck, a leg's femur and tibia.
+// Bodies of the robot: a module's body and neck, a leg's femur and tibia, and where its foot ends.
 struct Bodies {
   std::array<collision::Box, 2> body;
   std::array<collision::Capsule, 2> neck;
-  std::array<collision::Capsule, kLegs> femur, tibia;
+  std::array<collision::Capsule, kLegs> femur, tibia;  // the tibia down to the ankle
+  std::array<Vector3d, kLegs> sole;
 };
 Bodies bodies_of(const Model& model, const std::array<Isometry3d, 2>& modules, const std::array<LegPoints, kLegs>& legs);
 collision::Bounds bounds_of(const Bodies& bodies);
 
-// The leg of which a part is nearer to the ground than `clearance` (m): 0 to 7; -1: a body or a neck; empty if none is.
+// The leg of which a part is nearer to the ground than `clearance` (m) or whose foot cuts it: 0 to 7; -1: a body or a neck; empty
+// if none is.
 std::optional<int> touching(const NearGround& ground, const Bodies& bodies, double clearance);
 
 }  // namespace foothold::octopod

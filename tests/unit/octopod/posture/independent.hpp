@@ -43,8 +43,9 @@ inline double height_at(const terrain::Terrain& ground, const Vector3d& p) {
   return -INFINITY;
 }
 
-// How deep points of bodies and legs (without feet) lie under the ground at most, m; negative: above it.
-inline double depth(const Model& model, const terrain::Terrain& ground, const Coordinates& at, int points = 6) {
+// How deep points of bodies and legs lie under the ground at most, m; negative: above it. Of feet only what is above the ground by
+// a part `sole` of the tibia counts.
+inline double depth(const Model& model, const terrain::Terrain& ground, const Coordinates& at, double sole, int points = 6) {
   double deepest = -INFINITY;
   const auto look = [&](const Vector3d& p) { deepest = std::max(deepest, height_at(ground, p) - p.z()); };
   for (const Isometry3d& module : modules(model, at))
@@ -54,7 +55,7 @@ inline double depth(const Model& model, const terrain::Terrain& ground, const Co
           look(module * model.body.cwiseProduct(Vector3d(i, j, 0) / points - Vector3d(0.5, 0.5, z)));
   for (int leg_index = 0; leg_index < kLegs; ++leg_index) {
     const LegPoints points_of = leg(model, at, leg_index);
-    const Vector3d ankle = points_of.foot + (points_of.knee - points_of.foot) * (model.foot / model.tibia);
+    const Vector3d ankle = points_of.foot + (points_of.knee - points_of.foot) * sole;
     for (int i = 0; i <= points; ++i) {
       const double part = static_cast<double>(i) / points;
       look(points_of.shoulder + part * (points_of.knee - points_of.shoulder));
