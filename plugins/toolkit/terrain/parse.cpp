@@ -32,6 +32,7 @@ int index(const YAML::Node& node, const std::string& field, std::size_t count) {
 Terrain terrain(const YAML::Node& root) {
   demand_keys(root, "", {"kind", "description", "vertices", "triangles"});
   demand_kind(root, "terrain");
+  const std::string description = root["description"] ? word(root["description"], "description") : "";
   std::vector<Vector3d> vertices;
   const YAML::Node points = demand_list(root, "vertices", 3 * mesh::kMostTriangles);
   std::size_t k = 0;
@@ -52,7 +53,7 @@ Terrain terrain(const YAML::Node& root) {
     lines.push_back(node);
   }
   try {
-    return make_terrain(mesh::joined(vertices, triangles), root["description"] ? word(root["description"], "description") : "");
+    return make_terrain(mesh::joined(vertices, triangles), description);
   } catch (const InvalidScene& fault) {  // what the mesh refuses knows no line
     for (std::size_t t = 0; t < lines.size(); ++t)
       if (fault.field() == at("triangles", t)) fail(lines[t], fault.field(), fault.what());

@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kOn = 1e-9;  // m: points this far below the surface count as on it
 
+constexpr double kSlack = 1e-12;  // m: a vertex that hangs on a side is off it by rounding, and no ray may slip through there
+constexpr double kAbove = 0.1;    // m: where plumb lines begin, above all vertices
+
 using collision::Bounds;
 
 std::array<Vector3d, 3> corners(const Terrain& terrain, std::uint32_t t) {
@@ -47,8 +50,11 @@ struct Ray {
     }
     const auto edge = [](const Vector3d& a, const Vector3d& b) { return a.x() * b.y() - a.y() * b.x(); };
     const double u = edge(p[1], p[2]), v = edge(p[2], p[0]), w = edge(p[0], p[1]), sum = u + v + w;
-    if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return INFINITY;
-    if (sum == 0.0) return INFINITY;
+    double length = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) length += (p[(k + 1) % 3] - p[k]).head<2>().lpNorm<1>();
+    const double slack = kSlack * length;
+    if (std::min({u, v, w}) < -slack && std::max({u, v, w}) > slack) return INFINITY;
+    if (std::abs(sum) <= slack) return INFINITY;  // seen edge-on
     const double t = (u * p[0].z() + v * p[1].z() + w * p[2].z()) / sum;
     return t >= 0.0 ? t : INFINITY;
   }
@@ -88,7 +94,9 @@ bool nearer_to(const Terrain& terrain, const collision::BoundTree& tree, const B
 
 }  // namespace
 
-Surface::Surface(const Terrain& terrain) : terrain_(&terrain), tree_(bounds_of(terrain)) {}
+Surface::Surface(const Terrain& terrain) : terrain_(&terrain), tree_(bounds_of(terrain)), top_(-INFINITY) {
+  for (const Vector3d& v : terrain.vertices) top_ = std::max(top_, v.z() + kAbove);
+}
 
 Nearest Surface::nearest(const Vector3d& p, Among among, double limit) const {
   Nearest best;
@@ -130,7 +138,7 @@ std::optional<Hit> Surface::beneath(const Vector3d& p) const {
 }
 
 std::optional<double> Surface::height(double x, double y) const {
-  const auto hit = ray({x, y, 2.0 * kGreatestExtent + 1e4}, -Vector3d::UnitZ());
+  const auto hit = ray({x, y, top_}, -Vector3d::UnitZ());
   if (!hit) return std::nullopt;
   return hit->point.z();
 }

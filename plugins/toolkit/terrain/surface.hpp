@@ -73,6 +73,7 @@ class Surface {
  private:
   const Terrain* terrain_;
   collision::BoundTree tree_;
+  double top_;  // m, above all vertices
 };
 
 // Of the triangle's area; m. (Ericson 2005, section 5.1.5: by the regions of corners, sides and inside.)
