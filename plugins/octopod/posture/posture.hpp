@@ -48,6 +48,8 @@ std::string reason(const Built& built);
 // counter-clockwise seen from outside.
 inline constexpr int kAxes = 4;
 inline constexpr int kOrientations = 8;
+// The paper's ep as module A looks along it: a unit vector in the plane of the unit vector `normal`.
+Vector3d axis_of(const Vector3d& normal, int orientation);
 
 // The same standing robot with A and B exchanged: every foot stays, limb i becomes limb 7 - i. Its own inverse.
 Built turned(const Model& model, const Built& built);

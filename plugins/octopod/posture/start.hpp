@@ -7,9 +7,6 @@
 
 namespace foothold::octopod {
 
-// The paper's ep: unit vector in the plane of `normal`.
-Vector3d axis_of(const Vector3d& normal, int orientation);
-
 // C at its height above the node; each body's Z the normal of the ground triangle beneath C +- L ep (straight down; where none lies
 // there, the nearest one), its X the axis projected into its plane. Empty if there is no ground at all.
 std::optional<Pair> bodies_over(const Model& model, const terrain::Surface& surface, const Vector3d& node, const Vector3d& normal,

@@ -1,0 +1,87 @@
+// Planner interface of the octopod.
+#include "octopod/planner.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "octopod/check/check.hpp"
+#include "octopod/report.hpp"
+#include "octopod/steps.hpp"
+#include "terrain/terrain.hpp"
+
+namespace foothold::octopod {
+namespace {
+
+constexpr double kRrtShare = 0.8;  // of the budget; the rest is for motions and for sending
+
+const Ground& ground_of(const PreparedScene& scene) { return dynamic_cast<const Ground&>(scene); }
+
+// With the terrain that it looks at.
+std::shared_ptr<const terrain::Surface> read_surface(const Scene& scene) {
+  if (scene.path.empty()) throw InvalidScene("scene", "the octopod walks on a terrain; the request names no scene");
+  struct Owned {
+    explicit Owned(terrain::Terrain read) : terrain(std::move(read)), surface(terrain) {}
+    terrain::Terrain terrain;
+    terrain::Surface surface;
+  };
+  auto owned = std::make_shared<const Owned>(terrain::read_terrain(scene.path));
+  return {owned, &owned->surface};
+}
+
+double since(std::chrono::steady_clock::time_point then) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - then).count();
+}
+
+Route search(const Ground& ground, const Options& options, State from, int goal, PlanContext& context) {
+  if (options.method == Method::kPaper) return paper_route(ground, from, goal, options.route, context.stop);
+  if (options.method == Method::kRrt) return rrt_route(ground, from, goal, options.route, context.random, context.stop);
+  return optimal_route(ground, from, goal, options.route, {}, context.stop);
+}
+
+}  // namespace
+
+OctopodPlanner::OctopodPlanner(const RobotModel& model) : model_(Model::from_model(model)) {}
+
+std::shared_ptr<const PreparedScene> OctopodPlanner::prepare(const Scene& scene, const Parameters& parameters) {
+  return std::make_shared<Ground>(model_, read_surface(scene), read_options(parameters).ground);
+}
+
+Posture OctopodPlanner::start(const Request& request, const Parameters& parameters, const PreparedScene& scene) const {
+  const Ground& ground = ground_of(scene);
+  const State state = read_start(ground, read_options(parameters), request);
+  return standing_posture(ground.standing(state).standing);
+}
+
+PlanReport OctopodPlanner::plan(const Request& request, const Parameters& parameters, const PreparedScene& scene,
+                                PlanContext& context) {
+  const Ground& ground = ground_of(scene);
+  Options options = read_options(parameters);
+  options.route.budget = kRrtShare * request.budget;
+  const State from = read_start(ground, options, request);
+  const int goal = read_goal(ground, options, request.goal);
+
+  const auto begin = std::chrono::steady_clock::now();
+  const Route route = search(ground, options, from, goal, context);
+  if (route.end == Route::End::kStopped) return stopped_report();
+  if (route.end != Route::End::kFound || route.penalised > 0) return failed_report(options, route, goal);
+
+  Course course;
+  course.search_time = since(begin);
+  course.goal_distance = (ground.place(goal) - request.goal.base->translation()).norm();
+  for (std::size_t k = 1; k < route.states.size(); ++k) {
+    if (context.stop.stop_requested()) return stopped_report();
+    Step step = to_step(ground, route.states[k], route.costs[k]);
+    if (!context.emit(std::move(step))) return stopped_report();
+  }
+  return found_report(ground, options, route, course);
+}
+
+StepVerdict OctopodPlanner::check(const Step& step, const Posture& before, const Parameters& parameters,
+                                  const PreparedScene& scene) const {
+  return check_step(model_, ground_of(scene).surface(), step, before, check_options(read_options(parameters)));
+}
+
+std::vector<Shape> OctopodPlanner::shapes(const Posture& posture) const { return octopod::shapes(model_, from_posture(posture)); }
+
+}  // namespace foothold::octopod
