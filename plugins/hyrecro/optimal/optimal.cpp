@@ -1,5 +1,7 @@
 #include "hyrecro/optimal/optimal.hpp"
 
+#include <algorithm>
+
 #include "hyrecro/optimal/reasons.hpp"
 
 namespace foothold::hyrecro {
@@ -7,16 +9,30 @@ namespace {
 
 constexpr double kSameCost = 1e-9;
 
+// What is kept depends on the room that is demanded, so plans with motions and without have their own; latest first.
+struct KeptByRoom final : PreparedTruss::Kept {
+  std::vector<std::unique_ptr<KeptTruss>> recent;
+};
+constexpr std::size_t kRooms = 2;
+
 KeptTruss& kept_of(const Model& model, const PreparedTruss& scene, double lift) {
-  auto* kept = dynamic_cast<KeptTruss*>(scene.kept.get());
-  if (kept == nullptr || kept->strides.lift() != lift) {
-    auto fresh = std::make_unique<KeptTruss>(model, scene);
-    fresh->strides.demand_room(lift);
-    kept = fresh.get();
+  auto* by_room = dynamic_cast<KeptByRoom*>(scene.kept.get());
+  if (by_room == nullptr) {
+    auto fresh = std::make_unique<KeptByRoom>();
+    by_room = fresh.get();
     scene.kept = std::move(fresh);
   }
-  kept->tidy();
-  return *kept;
+  auto& recent = by_room->recent;
+  const auto known = std::find_if(recent.begin(), recent.end(), [&](const auto& kept) { return kept->strides.lift() == lift; });
+  if (known != recent.end()) {
+    std::rotate(recent.begin(), known, known + 1);
+  } else {
+    if (recent.size() == kRooms) recent.pop_back();
+    recent.insert(recent.begin(), std::make_unique<KeptTruss>(model, scene));
+    recent.front()->strides.demand_room(lift);
+  }
+  recent.front()->tidy();
+  return *recent.front();
 }
 
 std::string in_words(const OptimalOptions& options, bool large) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace foothold::hyrecro {
 namespace {
@@ -189,8 +190,15 @@ bool TrussGraph::hemmed_in(int end) {
 }
 
 const KeptTruss::Leg& TrussGraph::walk(int from, int to) {
-  const bool own = std::max(from, to) >= samples_ || banned_;
-  auto& known = own ? own_walked_ : kept_.walked;
+  const KeptTruss::Leg& leg = walk(from, to, {}, std::max(from, to) >= samples_ ? own_walked_ : kept_.walked);
+  // What is not there without bans is not there with them, and most of what is there they do not touch.
+  Foothold before = at(from);
+  const auto touched = [&](const Stride& stride) { return banned_(std::exchange(before, stride.to), stride.to); };
+  if (!banned_ || std::none_of(leg.strides.begin(), leg.strides.end(), touched)) return leg;
+  return walk(from, to, banned_, round_bans_);
+}
+
+const KeptTruss::Leg& TrussGraph::walk(int from, int to, const Banned& banned, Walked& known) {
   const auto [entry, fresh] = known.try_emplace(pair_of(from, to));
   KeptTruss::Leg& leg = entry->second;
   if (!fresh) return leg;
@@ -203,10 +211,10 @@ const KeptTruss::Leg& TrussGraph::walk(int from, int to) {
   if (!footing(from) || !footing(to)) return leg;
   const int most = kept_.legs.likely(at(from), at(to)) + kMore;
   for (int count = leg.least; count <= most && !leg.found; ++count)
-    if (auto found = kept_.legs.find(at(from), at(to), count, banned_)) {
+    if (auto found = kept_.legs.find(at(from), at(to), count, banned)) {
       leg.found = true;
       leg.strides = std::move(*found);
-    } else if (count == 1 && !banned_) {
+    } else if (count == 1 && !banned) {
       leg.least = 2;  // by exact reachability
     }
   return leg;

@@ -87,7 +87,9 @@ class TrussGraph final : public RouteGraph {
   Cost of(int strides, double length) const;
   Vector3d place(int node) const;
   Isometry3d pose(int node) const;
+  using Walked = std::unordered_map<std::uint64_t, KeptTruss::Leg>;
   const KeptTruss::Leg& walk(int from, int to);
+  const KeptTruss::Leg& walk(int from, int to, const Banned& banned, Walked& known);
   const std::optional<Coordinates>& judge(int from, int to);
   void list_own(int end);
   bool footing(int node);
@@ -110,9 +112,10 @@ class TrussGraph final : public RouteGraph {
   std::vector<int> start_face_, goal_face_;  // nodes there, with start and goal
   std::array<signed char, 2> own_footing_{-1, -1};
   std::array<Advances, 2> own_advances_;
-  std::array<Vector3d, 2> own_places_;                            // of start and goal
-  std::unordered_map<int, std::vector<Transition>> own_lists_;    // of start and goal; of footholds: those two alone
-  std::unordered_map<std::uint64_t, KeptTruss::Leg> own_walked_;  // with start, goal or bans
+  std::array<Vector3d, 2> own_places_;                          // of start and goal
+  std::unordered_map<int, std::vector<Transition>> own_lists_;  // of start and goal; of footholds: those two alone
+  Walked own_walked_;                                           // legs with start or goal
+  Walked round_bans_;                                           // where bans take strides out of them
   std::unordered_map<std::uint64_t, std::optional<Coordinates>> own_judged_;
   bool guesses_ = true, guessed_ = false;
   std::unordered_map<std::uint64_t, int> failures_;  // of legs: between two corners of a face, from one, to one

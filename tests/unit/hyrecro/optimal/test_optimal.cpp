@@ -29,18 +29,42 @@ TEST_F(Figure10, TakesFewStridesAndProvesThatNoneIsLeftOut) {
   expect_climbable(*scene, found.route);
 }
 
+void expect_same(const Found& a, const Found& b) {
+  ASSERT_EQ(a.outcome, b.outcome);
+  EXPECT_EQ(a.lower_bound, b.lower_bound);
+  ASSERT_EQ(a.route.strides.size(), b.route.strides.size());
+  for (std::size_t k = 0; k < a.route.strides.size(); ++k) {
+    EXPECT_EQ(a.route.strides[k].to.at, b.route.strides[k].to.at);
+    EXPECT_EQ(a.route.strides[k].to.heading, b.route.strides[k].to.heading);
+    EXPECT_EQ(a.route.strides[k].coordinates.hip, b.route.strides[k].coordinates.hip);
+  }
+}
+
 TEST_F(Figure10, AnswersTheSameWhateverWasAskedBefore) {
   const Found fresh = plan(*scene, start, goal);
   const Foothold elsewhere = foothold_on(scene->truss, {0.3, 0.0, 0.075}, {0, 0, 0});
   plan(*scene, elsewhere, goal);
   plan(*scene, goal, elsewhere);
-  const Found again = plan(*scene, start, goal);
-  ASSERT_EQ(again.route.strides.size(), fresh.route.strides.size());
-  for (std::size_t k = 0; k < fresh.route.strides.size(); ++k) {
-    EXPECT_EQ(again.route.strides[k].to.at, fresh.route.strides[k].to.at);
-    EXPECT_EQ(again.route.strides[k].to.heading, fresh.route.strides[k].to.heading);
-    EXPECT_EQ(again.route.strides[k].coordinates.hip, fresh.route.strides[k].coordinates.hip);
-  }
+  expect_same(plan(*scene, start, goal), fresh);
+}
+
+// What is kept for one height to lift the feet by, or found while strides are banned, does not get into other answers.
+TEST_F(Figure10, AnswersTheSameWhateverRoomWasDemandedAndWhateverWasBannedBefore) {
+  const Foothold elsewhere = foothold_on(scene->truss, {0.5, 0.0, 0.075}, {0, 0, 180});
+  std::vector<OptimalOptions> asked(5);
+  asked[1].lift = asked[2].lift = 0.022;
+  asked[3].lift = 0.05;
+  const Found free = plan(*scene, start, goal, asked[1]);
+  ASSERT_EQ(free.outcome, Outcome::kReached);
+  for (const std::size_t k : {std::size_t{1}, free.route.strides.size() - 1})
+    asked[2].banned.push_back({free.route.strides[k - 1].to, free.route.strides[k].to, 0.02});
+  asked[4].banned = asked[2].banned;
+  for (int round = 0; round < 2; ++round)
+    for (const OptimalOptions& options : asked)
+      for (const auto& [from, to] : {std::pair(start, goal), std::pair(elsewhere, goal), std::pair(goal, start)}) {
+        const auto fresh = prepared(crossed_beams());
+        expect_same(plan(*scene, from, to, options), plan(*fresh, from, to, options));
+      }
 }
 
 TEST_F(Figure10, TheLeastWayIsNotLongerThanThatOfTheLeastStrides) {
