@@ -30,9 +30,12 @@ truss::Truss read(const Scene& scene) {
 HyrecroPlanner::HyrecroPlanner(const RobotModel& model) : model_(Model::from_model(model)) {}
 
 std::shared_ptr<const PlanarWorkspace> HyrecroPlanner::workspace(const Options& options, const std::stop_token& stop) {
-  const WorkspaceKey key{options.position_step, options.heading_step, options.clearance};
+  const double lift = options.paper.lift;
+  const WorkspaceKey key{options.position_step, options.heading_step, options.clearance, lift};
   if (const auto kept = workspaces_.find(key); kept != workspaces_.end()) return kept->second;
-  auto made = PlanarWorkspace::make(model_, options.position_step, options.heading_step, options.clearance, stop);
+  const auto liftable = [&](const Coordinates& c) { return legs_lift(model_, c, lift); };
+  auto made = PlanarWorkspace::make(model_, options.position_step, options.heading_step, options.clearance, stop,
+                                    lift > 0.0 ? Admit(liftable) : Admit());
   if (!made) return nullptr;
   if (workspaces_.size() == kWorkspacesKept) workspaces_.clear();
   return workspaces_[key] = std::make_shared<const PlanarWorkspace>(std::move(*made));
@@ -61,7 +64,7 @@ std::vector<Beginning> HyrecroPlanner::beginnings(const Request& request, const 
     const Isometry3d wanted = sole.inverse() * pose_of(scene.truss, start.grips[1].at);
     const auto free = [&](const Coordinates& c) { return is_free(model_, scene, c, sole); };
     // Either foot may be the first to go.
-    const auto ready = [&](const Coordinates& c) { return lifted(model_, c, lift) && lifted(model_, swapped(c), lift) && free(c); };
+    const auto ready = [&](const Coordinates& c) { return legs_lift(model_, c, lift) && free(c); };
     coordinates = exact(scene.clearance).reach(wanted, ready).coordinates;
     if (!coordinates) coordinates = exact(scene.clearance).reach(wanted, free).coordinates;
     if (!coordinates)

@@ -35,7 +35,7 @@ class HyrecroPlanner final : public Planner {
   std::vector<Shape> shapes(const Posture& posture) const override;
 
  private:
-  // Made once for the same steps and clearance, whatever the scene. Null if stopped.
+  // Made once for the same steps, clearance and room to lift, whatever the scene. Null if stopped.
   std::shared_ptr<const PlanarWorkspace> workspace(const Options& options, const std::stop_token& stop);
   Reachability& exact(double clearance) const;
   // One for a robot on one foot, one for each foot that may stay for one on both: then in a posture from which either foot can rise
@@ -49,7 +49,7 @@ class HyrecroPlanner final : public Planner {
 
   Model model_;
   struct WorkspaceKey {
-    double position_step, heading_step, clearance;
+    double position_step, heading_step, clearance, lift;
     auto operator<=>(const WorkspaceKey&) const = default;
   };
   std::map<WorkspaceKey, std::shared_ptr<const PlanarWorkspace>> workspaces_;

@@ -85,7 +85,7 @@ Options read_options(const Parameters& parameters) {
   out.paper.least_dot = parameters.real("least_dot");
   out.motions.clearance = out.clearance;
   out.motions.lift = parameters.real("lift");
-  if (out.motion) out.optimal.lift = kLiftFactor * out.motions.lift;
+  if (out.motion) out.optimal.lift = out.paper.lift = kLiftFactor * out.motions.lift;
   return out;
 }
 

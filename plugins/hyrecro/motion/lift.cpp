@@ -75,6 +75,10 @@ std::optional<Coordinates> lifted(const Model& model, const Coordinates& stance,
   return lifted(model, stance, height, split_of(model, stance.leg[1]));
 }
 
+bool legs_lift(const Model& model, const Coordinates& stance, double height) {
+  return height == 0.0 || (lifted(model, stance, height) && lifted(model, swapped(stance), height));
+}
+
 double room_to_lift(const Model& model, const Coordinates& stance, double most) {
   const double split = split_of(model, stance.leg[1]);
   if (lifted(model, stance, most, split)) return most;

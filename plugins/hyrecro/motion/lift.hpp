@@ -12,6 +12,8 @@ namespace foothold::hyrecro {
 // stays, and the upper pin seen from the sole goes down by `height` (m). Empty if leg 1 has no room for that. What lambda leaves
 // free, the split between y1 and y2, stays as near to the middle as it was.
 std::optional<Coordinates> lifted(const Model& model, const Coordinates& stance, double height);
+// Whether each leg alone can lift its own foot by `height` (m) while the other foot holds.
+bool legs_lift(const Model& model, const Coordinates& stance, double height);
 // The greatest height up to `most` (m) that lifted() gives.
 double room_to_lift(const Model& model, const Coordinates& stance, double most);
 

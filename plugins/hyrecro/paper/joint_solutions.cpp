@@ -2,12 +2,13 @@
 
 #include <cmath>
 
+#include "hyrecro/motion/lift.hpp"
 #include "hyrecro/reach/exact.hpp"
 
 namespace foothold::hyrecro {
 
-JointSolutions::JointSolutions(const Model& model, const PreparedTruss& scene, Reachability& asked)
-    : model_(model), scene_(scene), asked_(asked), repeats_(dynamic_cast<const Exact*>(&asked) != nullptr) {}
+JointSolutions::JointSolutions(const Model& model, const PreparedTruss& scene, Reachability& asked, double lift)
+    : model_(model), scene_(scene), asked_(asked), lift_(lift), repeats_(dynamic_cast<const Exact*>(&asked) != nullptr) {}
 
 JointSolutions::PoseKey JointSolutions::key_of(const Isometry3d& pose) {
   PoseKey key{};
@@ -34,7 +35,7 @@ Answer JointSolutions::solve(const Isometry3d& holding, const Isometry3d& free) 
   bool offered = false;
   const Admit admit = [&](const Coordinates& coordinates) {
     offered = true;
-    return admits(holding, coordinates);
+    return legs_lift(model_, coordinates, lift_) && admits(holding, coordinates);
   };
   const Reach reach = asked_.reach(pose, admit);
   if (repeats_ && !reach.reachable && !offered) out_of_reach_.insert(key);

@@ -22,8 +22,8 @@ struct Answer {
 // Used by one thread at a time.
 class JointSolutions {
  public:
-  // All are borrowed.
-  JointSolutions(const Model& model, const PreparedTruss& scene, Reachability& asked);
+  // All are borrowed. `lift`: see PaperOptions; holds for solve().
+  JointSolutions(const Model& model, const PreparedTruss& scene, Reachability& asked, double lift = 0.0);
 
   // One foot holds at `holding` (world), the other shall be at `free` (world).
   Answer solve(const Isometry3d& holding, const Isometry3d& free);
@@ -42,6 +42,7 @@ class JointSolutions {
   const Model& model_;
   const PreparedTruss& scene_;
   Reachability& asked_;
+  double lift_;
   std::unique_ptr<Reachability> exact_;  // made when the network is asked
   // On beams the same few relative poses come again and again: those that no posture reaches, whatever the scene. Kept for `exact`
   // alone, whose answers do not change from call to call.

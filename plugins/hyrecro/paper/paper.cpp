@@ -58,7 +58,7 @@ Found plan_paper(const Model& model, const PreparedTruss& scene, Reachability& r
   found.objective =
       "the shortest way over transition footholds, then on each face long strides along its shortest way; proves nothing";
   KeptByPaper& kept = kept_of(scene, options);
-  JointSolutions solutions(model, scene, reachability);
+  JointSolutions solutions(model, scene, reachability, options.lift);
   const double greatest = greatest_reach(model);
   Watch watch;
   const GlobalRoute global =
@@ -114,7 +114,7 @@ Found plan_paper(const Model& model, const PreparedTruss& scene, Reachability& r
 std::optional<std::vector<Stride>> plan_face(const Model& model, const PreparedTruss& scene, const Foothold& from,
                                              const Foothold& to, const PaperOptions& options, const std::stop_token& stop) {
   const std::unique_ptr<Reachability> exact = make_exact(model, scene.clearance);
-  JointSolutions solutions(model, scene, *exact);
+  JointSolutions solutions(model, scene, *exact, options.lift);
   KeptByPaper& kept = kept_of(scene, options);
   FaceWalk walk = walk_face({model, scene, kept.order, solutions, options}, kept.ground(scene.truss, from.face), from, to, stop);
   if (walk.outcome != FaceWalk::Outcome::kReached) return std::nullopt;

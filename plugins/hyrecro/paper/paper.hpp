@@ -20,6 +20,9 @@ struct PaperOptions {
   double least_dot = 0.998;   // eps of algorithm 2: u_cand . u_best must be at least this
   double r_max = 0.0;         // m, of algorithm 1; 0: the workspace's
   double reach_radius = 0.0;  // m, of the k-d tree query; 0: from the model
+  // m: in every stance each leg alone must have room to lift its foot so far, as motions do; 0 (the paper): need not. The scene's
+  // workspace must be made with the same demand.
+  double lift = 0.0;
 };
 
 // Milliseconds that each part took, for the bench's tables 1 and 2.

@@ -89,7 +89,7 @@ Coordinates PlanarWorkspace::conservative(int i, int j, int k) const {
 }
 
 std::optional<PlanarWorkspace> PlanarWorkspace::make(const Model& model, double position_step, double heading_step,
-                                                     double clearance, const std::stop_token& stop) {
+                                                     double clearance, const std::stop_token& stop, const Admit& admit) {
   PlanarWorkspace out;
   auto table = std::make_shared<Table>(model, clearance);
   out.table_ = table;
@@ -112,12 +112,13 @@ std::optional<PlanarWorkspace> PlanarWorkspace::make(const Model& model, double 
       for (int k = 0; k < table->headings; ++k) {
         const PlanarPose at = out.pose(i, j, k);
         const std::size_t entry = out.canonical(i, j, k).entry;
-        if (const auto choice = table->postures.widest(at)) {
+        const auto choice = table->postures.widest(at);
+        if (choice && (!admit || admit(table->postures.coordinates(at, *choice)))) {
           table->shift1[entry] = static_cast<float>(choice->shift1);
           table->backwards[entry] = choice->side < 0;
           entries[entry] = true;
         } else if (2 * k % out.headings_ == 0) {
-          const Reach inclined = exact.reach(to_isometry(at), {});
+          const Reach inclined = exact.reach(to_isometry(at), admit);
           if (!inclined.reachable) continue;
           table->inclined.emplace(entry, *inclined.coordinates);
           entries[entry] = true;

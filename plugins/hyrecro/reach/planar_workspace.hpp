@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hyrecro/reach/planar_postures.hpp"
+#include "hyrecro/reach/reachability.hpp"
 
 namespace foothold::hyrecro {
 
@@ -18,9 +19,10 @@ class PlanarWorkspace {
  public:
   // Computes it: every grid pose by exact reachability (self-collisions with `clearance` included, scene not): level postures in
   // closed form, and where there is none and both legs may lean (headings equal or opposite) by Exact. Only poses that no symmetry
-  // of the robot takes to each other are computed. Empty if stopped.
+  // of the robot takes to each other are computed. With `admit` only poses count whose conservative solution it takes; it must not
+  // tell apart what a symmetry of the robot takes to each other. Empty if stopped.
   static std::optional<PlanarWorkspace> make(const Model& model, double position_step, double heading_step, double clearance,
-                                             const std::stop_token& stop = {});
+                                             const std::stop_token& stop = {}, const Admit& admit = {});
 
   double position_step() const { return position_step_; }
   double heading_step() const { return heading_step_; }

@@ -52,6 +52,20 @@ TEST(Planner, ClimbsFromBeamToBeamByBothMethodsAndNeverInMoreStepsThanThePaper) 
   EXPECT_LE(steps[0], steps[1]);
 }
 
+TEST(Planner, MovesByThePapersMethodWithinAWorkspaceThatLeavesRoomToLift) {
+  const Parameters values = parameters({{"method", "paper"}});
+  const auto scene = crossed_beams(values);
+  for (const double from : {0.2, 0.5})
+    for (const double to : {0.3, 0.5}) {
+      Collector out;
+      const PlanReport report =
+          judged_plan(shared_planner(), request_between(on_top(from), round_the_corner(to)), values, *scene, out);
+      ASSERT_EQ(report.outcome, Outcome::kReached) << from << ", " << to << ": " << report.message;
+      expect_end(out, round_the_corner(to));
+      for (const Step& step : out.steps) EXPECT_FALSE(step.motion.empty());
+    }
+}
+
 TEST(Planner, MovesFromStanceToStanceWithoutAJump) {
   const Parameters values = parameters();
   const auto scene = crossed_beams(values);

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "hyrecro/motion/lift.hpp"
 #include "hyrecro/reach/exact.hpp"
 #include "hyrecro/reach/planar_workspace.hpp"
 #include "poses.hpp"
@@ -167,6 +168,34 @@ TEST(PlanarWorkspace, EveryHeadingIsReachableAheadAndBehindAroundTheBestReach) {
     for (int i = nearest - around; i <= nearest + around; ++i)
       for (int k = 0; k < w.headings(); ++k) EXPECT_TRUE(w.reachable(i, 0, k) && w.reachable(-i, 0, k)) << step << ' ' << i;
   }
+}
+
+TEST(PlanarWorkspace, OfPosturesWithRoomToLiftHoldsThreeFifthsOfThePoses) {
+  constexpr double kLift = 0.022;  // m
+  const PlanarWorkspace& all = workspace();
+  const auto some = PlanarWorkspace::make(robot(), 0.01, 5.0 * kDegree, kClearance, {},
+                                          [](const Coordinates& c) { return legs_lift(robot(), c, kLift); });
+  ASSERT_TRUE(some);
+  std::size_t reachable = 0, liftable = 0;
+  for (const PlanarWorkspace::Cell& cell : all.cells())
+    for (int k = 0; k < all.headings(); ++k) {
+      reachable += all.reachable(cell.i, cell.j, k) ? 1 : 0;
+      if (!some->reachable(cell.i, cell.j, k)) continue;
+      ++liftable;
+      ASSERT_TRUE(all.reachable(cell.i, cell.j, k));
+      const Coordinates c = some->conservative(cell.i, cell.j, k);
+      ASSERT_TRUE(holds(pose_at(*some, cell.i, cell.j, k), c));
+      // Either foot along its normal, the other one staying where it is.
+      for (const Coordinates& seen : {c, swapped(c)}) {
+        const auto up = lifted(robot(), seen, kLift);
+        ASSERT_TRUE(up && within_limits(robot(), *up));
+        ASSERT_LT(difference(forward(robot(), seen) * Eigen::Translation3d(0.0, 0.0, kLift), forward(robot(), *up)), 1e-9);
+      }
+    }
+  EXPECT_LT(liftable, reachable);
+  EXPECT_GT(static_cast<double>(liftable), 0.6 * static_cast<double>(reachable));
+  EXPECT_LT(some->r_max(), all.r_max());
+  EXPECT_GT(some->r_max(), 0.85 * all.r_max());
 }
 
 TEST(PlanarWorkspace, StopsWhenAskedTo) {
