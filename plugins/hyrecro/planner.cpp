@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include "hyrecro/check/check.hpp"
+#include "hyrecro/departure.hpp"
 #include "hyrecro/for_a_while.hpp"
 #include "hyrecro/motion/lift.hpp"
+#include "hyrecro/optimal/bounds.hpp"
 #include "hyrecro/posture.hpp"
 #include "hyrecro/report.hpp"
 #include "hyrecro/steps.hpp"
@@ -52,7 +54,8 @@ std::shared_ptr<const PreparedScene> HyrecroPlanner::prepare(const Scene& scene,
   return std::make_shared<PreparedTruss>(model_, read(scene), options.sampling, options.clearance);
 }
 
-std::vector<Beginning> HyrecroPlanner::beginnings(const Request& request, const PreparedTruss& scene, double lift) const {
+std::vector<Beginning> HyrecroPlanner::beginnings(const Request& request, const PreparedTruss& scene,
+                                                  const Options& options) const {
   const Start start = read_start(model_, scene, request.start);
   const Grip& first = start.grips.front();
   const Isometry3d sole = pose_of(scene.truss, first.at);
@@ -62,11 +65,7 @@ std::vector<Beginning> HyrecroPlanner::beginnings(const Request& request, const 
     throw InvalidRequest("start.joints", "in this posture the robot collides, or keeps less than the clearance");
   if (!coordinates && both) {
     const Isometry3d wanted = sole.inverse() * pose_of(scene.truss, start.grips[1].at);
-    const auto free = [&](const Coordinates& c) { return is_free(model_, scene, c, sole); };
-    // Either foot may be the first to go.
-    const auto ready = [&](const Coordinates& c) { return legs_lift(model_, c, lift) && free(c); };
-    coordinates = exact(scene.clearance).reach(wanted, ready).coordinates;
-    if (!coordinates) coordinates = exact(scene.clearance).reach(wanted, free).coordinates;
+    coordinates = standing_on_both(model_, scene, exact(scene.clearance), sole, wanted, options.motions, options.optimal.lift);
     if (!coordinates)
       throw InvalidRequest("start.contacts", "no posture free of collision stands on both; give one contact, or others");
   }
@@ -81,7 +80,7 @@ std::vector<Beginning> HyrecroPlanner::beginnings(const Request& request, const 
 
 Posture HyrecroPlanner::start(const Request& request, const Parameters& parameters, const PreparedScene& scene) const {
   const PreparedTruss& truss = truss_of(scene);
-  return standing(beginnings(request, truss, read_options(parameters).optimal.lift), truss);
+  return standing(beginnings(request, truss, read_options(parameters)), truss);
 }
 
 Posture HyrecroPlanner::standing(const std::vector<Beginning>& from, const PreparedTruss& truss) const {
@@ -132,8 +131,18 @@ PlanReport HyrecroPlanner::plan(const Request& request, const Parameters& parame
                                 PlanContext& context) {
   const PreparedTruss& truss = truss_of(scene);
   const Options options = read_options(parameters);
-  const std::vector<Beginning> from = beginnings(request, truss, options.optimal.lift);
+  const std::vector<Beginning> from = beginnings(request, truss, options);
   const Foothold goal = read_goal(model_, truss, request.goal);
+  std::vector<Beginning> ready = from;
+  if (options.motion && std::none_of(from.begin(), from.end(), [&](const Beginning& b) { return same(b.holding.at, goal); })) {
+    std::string reason;
+    ready = departures(model_, truss, from, options.motions, context.stop, reason);
+    if (context.stop.stop_requested()) return stopped_report();
+    if (ready.empty())
+      return failed_report({PlanError::kNoPath, request.start.joints.empty() ? "start.contacts" : "start.joints",
+                            "neither foot can leave its face from the start: " + reason,
+                            "lower lift, begin elsewhere, or plan with motion: false to see the footholds"});
+  }
   if (options.method == Method::kPaper) {
     truss.workspace = workspace(options, context.stop);
     if (!truss.workspace) return stopped_report();
@@ -141,7 +150,7 @@ PlanReport HyrecroPlanner::plan(const Request& request, const Parameters& parame
   const Search searched = [&](const Options& with, const Grip& grip) {
     return search(with, truss, grip, goal, request.budget, context);
   };
-  const Travel travel = plan_travel(model_, truss, options, from, searched, context);
+  const Travel travel = plan_travel(model_, truss, options, ready, searched, context);
   if (travel.stopped) return stopped_report();
   if (!travel.found) return failed_report(travel.failure);
 

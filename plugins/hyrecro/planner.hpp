@@ -38,9 +38,9 @@ class HyrecroPlanner final : public Planner {
   // Made once for the same steps, clearance and room to lift, whatever the scene. Null if stopped.
   std::shared_ptr<const PlanarWorkspace> workspace(const Options& options, const std::stop_token& stop);
   Reachability& exact(double clearance) const;
-  // One for a robot on one foot, one for each foot that may stay for one on both: then in a posture from which either foot can rise
-  // by `lift` (m), if there is one.
-  std::vector<Beginning> beginnings(const Request& request, const PreparedTruss& scene, double lift) const;
+  // One for a robot on one foot, one for each foot that may stay for one on both: then, unless the request gives joints, in a
+  // posture from which either foot can rise, if there is one.
+  std::vector<Beginning> beginnings(const Request& request, const PreparedTruss& scene, const Options& options) const;
   Posture standing(const std::vector<Beginning>& from, const PreparedTruss& truss) const;
   Found search(const Options& options, const PreparedTruss& scene, const Grip& from, const Foothold& goal, double budget,
                PlanContext& context);

@@ -196,6 +196,32 @@ TEST(Planner, StandsOnBothFeetSoThatEitherCanBeLifted) {
   EXPECT_LT(any, ready);
 }
 
+// Feet so far apart that the workspace ends there: told at once, not after one route after the other has no motion.
+TEST(Planner, RefusesAStartThatNoFootCanLeave) {
+  Request request = request_between(on_top(0.2), on_upright(0.4));
+  request.start.contacts = {contact("A", on_top(0.2)), contact("B", on_top(0.2 + 0.568))};
+  const Parameters still = parameters({{"motion", "false"}}), moving = parameters();
+  const auto scene = crossed_beams(moving);
+  Collector out;
+  EXPECT_EQ(judged_plan(shared_planner(), request, still, *scene, out).outcome, Outcome::kReached);
+  const auto refused = [&](const Request& asked) {
+    Collector none;
+    const PlanReport report = shared_planner().plan(asked, moving, *scene, none);
+    EXPECT_EQ(report.outcome, Outcome::kFailed);
+    EXPECT_TRUE(none.steps.empty());
+    EXPECT_NE(report.message.find("neither foot can leave"), std::string::npos) << report.message;
+    return report.field;
+  };
+  EXPECT_EQ(refused(request), "start.contacts");
+  request.start.joints = shared_planner().start(request, still, *scene).joints;
+  EXPECT_EQ(refused(request), "start.joints");
+  // One foot is where it shall be: nothing has to be lifted.
+  request.goal.contacts = {contact("", on_top(0.2))};
+  Collector stays;
+  EXPECT_EQ(judged_plan(shared_planner(), request, moving, *scene, stays).outcome, Outcome::kReached);
+  EXPECT_TRUE(stays.steps.empty());
+}
+
 TEST(Planner, StandsStillWhereItStands) {
   const Parameters values = parameters();
   const auto scene = crossed_beams(values);
