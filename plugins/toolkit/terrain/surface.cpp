@@ -10,26 +10,26 @@ namespace {
 
 constexpr double kOn = 1e-9;  // m: points this far below the surface count as on it
 
-constexpr double kSlack = 1e-12;  // m: a vertex that hangs on a side is off it by rounding, and no ray may slip through there
-constexpr double kAbove = 0.1;    // m: where plumb lines begin, above all vertices
+constexpr double kSlack = 1e-12;      // m: a vertex that hangs on a side is off it by rounding, and no ray may slip through there
+constexpr double kSamePlane = 1e-13;  // share by which planes' squared distances may differ by rounding
+constexpr double kFar = 1e9;          // m: the end of plumb lines
+constexpr double kAbove = 0.1;        // m: where plumb lines begin, above all vertices
 
 using collision::Bounds;
 
-std::array<Vector3d, 3> corners(const Terrain& terrain, std::uint32_t t) {
-  const int k = static_cast<int>(t);
-  return {terrain.corner(k, 0), terrain.corner(k, 1), terrain.corner(k, 2)};
-}
-
-std::vector<Bounds> bounds_of(const Terrain& terrain) {
-  std::vector<Bounds> out;
+std::vector<std::array<Vector3d, 3>> corners_of(const Terrain& terrain) {
+  std::vector<std::array<Vector3d, 3>> out;
   out.reserve(terrain.size());
-  for (std::uint32_t t = 0; t < terrain.size(); ++t) out.push_back(collision::bounds_of(collision::Patch{corners(terrain, t)}));
+  for (int t = 0; t < static_cast<int>(terrain.size()); ++t)
+    out.push_back({terrain.corner(t, 0), terrain.corner(t, 1), terrain.corner(t, 2)});
   return out;
 }
 
-// Not more than the squared distance of anything in one to anything in the other.
-double squared_apart(const Bounds& a, const Bounds& b) {
-  return (a.min() - b.max()).cwiseMax(b.min() - a.max()).cwiseMax(0.0).squaredNorm();
+std::vector<Bounds> bounds_of(std::span<const std::array<Vector3d, 3>> triangles) {
+  std::vector<Bounds> out;
+  out.reserve(triangles.size());
+  for (const auto& corners : triangles) out.push_back(collision::bounds_of(collision::Patch{corners}));
+  return out;
 }
 
 // A ray in axes of its own: sheared so that it runs along the third one. (Woop, Benthin, Wald 2013: the edges' signs are then the
@@ -59,104 +59,110 @@ struct Ray {
     return t >= 0.0 ? t : INFINITY;
   }
 
-  // Where it enters the bounds, a little widened against rounding; infinite if it misses them.
-  double enters(const Bounds& bounds) const {
-    double first = 0.0, last = INFINITY;
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      const double low = bounds.min()[k] - kOn - origin[k], high = bounds.max()[k] + kOn - origin[k];
-      if (direction[k] == 0.0) {
-        if (low > 0.0 || high < 0.0) return INFINITY;
-        continue;
-      }
-      const double a = low / direction[k], b = high / direction[k];
-      first = std::max(first, std::min(a, b)), last = std::min(last, std::max(a, b));
-    }
-    return first <= last ? first : INFINITY;
-  }
-
   Vector3d origin, direction, shear;
   Eigen::Index x = 0, y = 0, z = 0;
 };
 
 template <class Body>
-double distance_to(const Terrain& terrain, const collision::BoundTree& tree, const Body& body) {
-  const Bounds bounds = collision::bounds_of(body);
-  return tree.least(
-      INFINITY, [&](const Bounds& node) { return std::sqrt(squared_apart(node, bounds)); },
-      [&](std::uint32_t t) { return collision::distance(body, collision::Patch{corners(terrain, t)}); });
+double distance_to(std::span<const std::array<Vector3d, 3>> triangles, const collision::WideTree& tree, const Body& body) {
+  return std::sqrt(tree.nearest(collision::bounds_of(body), INFINITY, [&](std::uint32_t t) {
+    const double distance = collision::distance(body, collision::Patch{triangles[t]});
+    return distance * distance;
+  }));
 }
 
 template <class Body>
-bool nearer_to(const Terrain& terrain, const collision::BoundTree& tree, const Body& body, double clearance) {
+bool nearer_to(std::span<const std::array<Vector3d, 3>> triangles, const collision::WideTree& tree, const Body& body,
+               double clearance) {
   return !tree.visit(collision::grown(collision::bounds_of(body), clearance),
-                     [&](std::uint32_t t) { return !collision::nearer(body, collision::Patch{corners(terrain, t)}, clearance); });
+                     [&](std::uint32_t t) { return !collision::nearer(body, collision::Patch{triangles[t]}, clearance); });
 }
 
 }  // namespace
 
-Surface::Surface(const Terrain& terrain) : terrain_(&terrain), tree_(bounds_of(terrain)), top_(-INFINITY) {
+Surface::Surface(const Terrain& terrain)
+    : terrain_(&terrain), corners_(corners_of(terrain)), all_(bounds_of(corners_)), top_(-INFINITY) {
   for (const Vector3d& v : terrain.vertices) top_ = std::max(top_, v.z() + kAbove);
+  std::vector<std::array<Vector3d, 3>> ground;
+  for (std::uint32_t t = 0; t < terrain.size(); ++t)
+    if (terrain.ground[t] != 0) {
+      ground_triangles_.push_back(t);
+      ground.push_back(corners_[t]);
+    }
+  if (ground.size() < terrain.size()) ground_.emplace(bounds_of(ground));
 }
 
 Nearest Surface::nearest(const Vector3d& p, Among among, double limit) const {
   Nearest best;
+  const bool part = among == Among::kGround && ground_;
+  const collision::WideTree& tree = part ? *ground_ : all_;
   const double reach = std::nextafter(limit, INFINITY);
-  const double least = tree_.least(
-      reach * reach, [&](const Bounds& bounds) { return bounds.squaredExteriorDistance(p); },
-      [&](std::uint32_t t) {
-        if (among == Among::kGround && terrain_->ground[t] == 0) return static_cast<double>(INFINITY);
-        const auto [a, b, c] = corners(*terrain_, t);
-        const Vector3d point = nearest_on_triangle(p, a, b, c);
-        const double squared = (point - p).squaredNorm();
-        if (squared < best.distance) best = {static_cast<int>(t), point, squared};
-        return squared;
-      });
-  if (best.triangle < 0 || std::sqrt(least) > limit) return {};
-  best.distance = std::sqrt(least);
-  return best;
+  tree.nearest({p, p}, reach * reach, [&](std::uint32_t item) {
+    const std::uint32_t t = part ? ground_triangles_[item] : item;
+    const double off = terrain_->normals[t].dot(p - corners_[t][0]);  // of the plane: often enough to see that it is no nearer
+    if (off * off >= best.distance * (1.0 - kSamePlane)) return best.distance;
+    const Vector3d point = nearest_on_triangle(p, corners_[t][0], corners_[t][1], corners_[t][2]);
+    const double squared = (point - p).squaredNorm();
+    if (squared < best.distance) best = {static_cast<int>(t), point, squared};
+    return squared;
+  });
+  best.distance = std::sqrt(best.distance);
+  return best.distance <= limit ? best : Nearest{};
 }
 
 std::optional<Hit> Surface::ray(const Vector3d& origin, const Vector3d& direction, double length) const {
   const Ray ray(origin, direction);
-  int hit = -1;
-  double first = INFINITY;
-  tree_.least(
-      std::nextafter(length, INFINITY), [&](const Bounds& bounds) { return ray.enters(bounds); },
-      [&](std::uint32_t t) {
-        const double here = ray.to(corners(*terrain_, t));
-        if (here < first) first = here, hit = static_cast<int>(t);
-        return here;
-      });
-  if (hit < 0 || first > length) return std::nullopt;
-  return Hit{hit, origin + first * direction, first};
+  Hit hit{-1, origin, INFINITY};
+  all_.first(origin, direction, std::nextafter(length, INFINITY), [&](std::uint32_t t) {
+    const double here = ray.to(corners_[t]);
+    if (here < hit.distance) hit = {static_cast<int>(t), origin + here * direction, here};
+    return here;
+  });
+  if (hit.triangle < 0 || hit.distance > length) return std::nullopt;
+  return hit;
+}
+
+// Along z: few triangles lie above one another, so all in the column are tried.
+std::optional<Hit> Surface::plumb(const Vector3d& from, double towards) const {
+  const Ray ray(from, towards * Vector3d::UnitZ());
+  Hit hit{-1, from, INFINITY};
+  Bounds column(from, from);
+  (towards < 0.0 ? column.min() : column.max()).z() = towards * kFar;
+  all_.visit(column, [&](std::uint32_t t) {
+    const double here = ray.to(corners_[t]);
+    if (here < hit.distance) hit = {static_cast<int>(t), from + Vector3d(0, 0, towards * here), here};
+    return true;
+  });
+  if (hit.triangle < 0) return std::nullopt;
+  return hit;
 }
 
 std::optional<Hit> Surface::beneath(const Vector3d& p) const {
-  std::optional<Hit> hit = ray(p + kOn * Vector3d::UnitZ(), -Vector3d::UnitZ());
+  std::optional<Hit> hit = plumb(p + kOn * Vector3d::UnitZ(), -1.0);
   if (hit) hit->distance = std::max(0.0, hit->distance - kOn);
   return hit;
 }
 
 std::optional<double> Surface::height(double x, double y) const {
-  const auto hit = ray({x, y, top_}, -Vector3d::UnitZ());
+  const auto hit = plumb({x, y, top_}, -1.0);
   if (!hit) return std::nullopt;
   return hit->point.z();
 }
 
 bool Surface::under(const Vector3d& p) const {
-  const auto hit = ray(p + kOn * Vector3d::UnitZ(), Vector3d::UnitZ());
+  const auto hit = plumb(p + kOn * Vector3d::UnitZ(), 1.0);
   return hit && terrain_->normals[static_cast<std::size_t>(hit->triangle)].z() > 0.0;
 }
 
-double Surface::distance(const Capsule& capsule) const { return distance_to(*terrain_, tree_, capsule); }
-double Surface::distance(const Box& box) const { return distance_to(*terrain_, tree_, box); }
-bool Surface::nearer(const Capsule& capsule, double clearance) const { return nearer_to(*terrain_, tree_, capsule, clearance); }
-bool Surface::nearer(const Box& box, double clearance) const { return nearer_to(*terrain_, tree_, box, clearance); }
+double Surface::distance(const Capsule& capsule) const { return distance_to(corners_, all_, capsule); }
+double Surface::distance(const Box& box) const { return distance_to(corners_, all_, box); }
+bool Surface::nearer(const Capsule& capsule, double clearance) const { return nearer_to(corners_, all_, capsule, clearance); }
+bool Surface::nearer(const Box& box, double clearance) const { return nearer_to(corners_, all_, box, clearance); }
 
 std::vector<int> Surface::touching(const Bounds& query) const {
   std::vector<int> out;
-  tree_.visit(query, [&](std::uint32_t t) {
-    out.push_back(static_cast<int>(t));
+  all_.visit(query, [&](std::uint32_t t) {
+    if (query.intersects(collision::bounds_of(collision::Patch{corners_[t]}))) out.push_back(static_cast<int>(t));
     return true;
   });
   return out;

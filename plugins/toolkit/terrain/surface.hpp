@@ -4,14 +4,15 @@
 // immutable.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "collision/bound_tree.hpp"
 #include "collision/distance.hpp"
+#include "collision/wide_tree.hpp"
 #include "terrain/terrain.hpp"
 
 namespace foothold::terrain {
@@ -63,17 +64,22 @@ class Surface {
 
   // Triangles whose bounds touch `query` (m, world axes), in no particular order.
   std::vector<int> touching(const collision::Bounds& query) const;
-  // The same one by one, without a list: calls visit(triangle) (unsigned) and ends when it returns false. Returns whether it ran to
-  // the end.
+  // The same (and perhaps some within rounding) one by one, without a list: calls visit(triangle) (unsigned) and ends when it
+  // returns false. Returns whether it ran to the end.
   template <class Visit>
   bool visit(const collision::Bounds& query, Visit&& visit) const {
-    return tree_.visit(query, std::forward<Visit>(visit));
+    return all_.visit(query, std::forward<Visit>(visit));
   }
 
  private:
+  std::optional<Hit> plumb(const Vector3d& from, double towards) const;
+
   const Terrain* terrain_;
-  collision::BoundTree tree_;
-  double top_;  // m, above all vertices
+  std::vector<std::array<Vector3d, 3>> corners_;  // by triangle, m
+  collision::WideTree all_;
+  std::optional<collision::WideTree> ground_;    // where not all is ground
+  std::vector<std::uint32_t> ground_triangles_;  // of the items of that tree
+  double top_;                                   // m, above all vertices
 };
 
 // Of the triangle's area; m. (Ericson 2005, section 5.1.5: by the regions of corners, sides and inside.)
