@@ -15,6 +15,8 @@ namespace {
 constexpr SolutionGrid kGrid{0.15, 0.02, 0.2};
 // Of a grid at most.
 constexpr std::size_t kMost = 8;
+// Of exact reachability at most.
+constexpr int kMostOffered = 64;
 // s: what a stance without room to lift costs.
 constexpr double kNoRoom = 20.0;
 
@@ -50,14 +52,16 @@ std::vector<Stance> of_grid(const Surroundings& around, const Surroundings& from
   return out;
 }
 
-// A stance below a posture that has the free foot `height` over `pose`, both free of collisions.
+// A stance below a posture that has the free foot `height` over `pose`, both free of collisions; among the first that reachability
+// offers, as to prove that there is none takes far longer.
 std::optional<Coordinates> from_above(const Surroundings& around, Reachability& exact, const Isometry3d& pose, double height) {
   std::optional<Coordinates> out;
+  int offered = 0;
   exact.reach(pose * Eigen::Translation3d(0.0, 0.0, height), [&](const Coordinates& top) {
     out = lifted(around.model, top, -height);
     if (!out) out = inverse(around.model, pose, branch_of(top), free_of(around.model, top));
     if (out && (judge_posture(around, top) || judge_posture(around, *out))) out.reset();
-    return out.has_value();
+    return out.has_value() || ++offered == kMostOffered;
   });
   return out;
 }
@@ -80,7 +84,11 @@ std::vector<Stance> stances_at(const Surroundings& around, Reachability& exact, 
   const Isometry3d pose = around.holding.inverse(Eigen::Isometry) * placed;
   const Surroundings from_placed{model, around.obstacles, placed, around.clearance, around.stop};
   std::vector<Stance> out = of_grid(around, from_placed, pose, last, height);
-  if (out.empty()) {
+  const Stance as_given = stance_of(model, given, height);
+  const bool given_lifts = as_given.lands && (as_given.leaves || last) &&
+                           !judge_posture(around, from_actuators(model, as_given.landing)) &&
+                           (last || !judge_posture(from_placed, from_actuators(model, as_given.leaving)));
+  if (out.empty() && !given_lifts) {
     // At the border of the workspace the grid finds nothing; exact reachability does, from above.
     if (!free_foot_liftable(exact, pose, height)) {
       reason = "the foot cannot be set down: at its place it cannot be lifted, reachability ends there";
@@ -95,7 +103,7 @@ std::vector<Stance> stances_at(const Surroundings& around, Reachability& exact, 
       if (const auto c = from_above(from_placed, exact, pose.inverse(Eigen::Isometry), height))
         out.push_back(stance_of(model, swapped(*c), height));
   }
-  out.push_back(stance_of(model, given, height));
+  out.push_back(as_given);
   return out;
 }
 
