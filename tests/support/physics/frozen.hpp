@@ -34,8 +34,8 @@ struct FrozenOptions {
 struct Drift {
   double way = 0.0;    // m, greatest way of a foot or the centre of mass after settling
   double speed = 0.0;  // m/s, greatest of those at the end
-  // Moves: more than a millimetre, or fast at the end. A stance at rest creeps by micrometres.
-  bool moves() const { return way > 1e-3 || speed > 0.01; }
+  // Is still on its way, or came far. A stance at rest may shift a little until all its feet carry.
+  bool moves() const { return way > 0.005 || speed > 0.005; }
 };
 
 // Throws std::runtime_error with MuJoCo's message. Any thread.
