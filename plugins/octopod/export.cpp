@@ -15,6 +15,6 @@ FOOTHOLD_EXPORT_PLANNER(
         .limbs = foothold::octopod::kLimbs,
         .start_needs = "base: a point of the terrain under the robot's middle, X where it looks to; or any_orientation",
         .goal_needs = "base: a point of the terrain; any_orientation",
-        .prepare_parameters = "resolution|split|neighbours|friction|cone_edges|clearance",
+        .prepare_parameters = "resolution|split|neighbours|friction|cone_edges|clearance|swing_height",
         .parameters = foothold::octopod::kParameters,
         .parameter_count = std::size(foothold::octopod::kParameters)}))

@@ -8,6 +8,7 @@
 #include "octopod/check/check.hpp"
 #include "octopod/report.hpp"
 #include "octopod/steps.hpp"
+#include "octopod/transition/transition.hpp"
 #include "terrain/terrain.hpp"
 
 namespace foothold::octopod {
@@ -35,8 +36,16 @@ double since(std::chrono::steady_clock::time_point then) {
 
 Route search(const Ground& ground, const Options& options, State from, int goal, PlanContext& context) {
   if (options.method == Method::kPaper) return paper_route(ground, from, goal, options.route, context.stop);
-  if (options.method == Method::kRrt) return rrt_route(ground, from, goal, options.route, context.random, context.stop);
-  return optimal_route(ground, from, goal, options.route, {}, context.stop);
+  Edge edge;
+  if (options.transitions)
+    edge = [&](State a, State b) {
+      if (const auto known = ground.passage(a, b)) return *known;
+      const bool open = has_transition(ground, ground.standing(a).standing, ground.standing(b).standing, options.swing_height);
+      ground.keep_passage(a, b, open);
+      return open;
+    };
+  if (options.method == Method::kRrt) return rrt_route(ground, from, goal, options.route, context.random, context.stop, edge);
+  return optimal_route(ground, from, goal, options.route, edge, context.stop);
 }
 
 }  // namespace
@@ -69,9 +78,19 @@ PlanReport OctopodPlanner::plan(const Request& request, const Parameters& parame
   Course course;
   course.search_time = since(begin);
   course.goal_distance = (ground.place(goal) - request.goal.base->translation()).norm();
+  course.least_margin = ground.options().friction;
   for (std::size_t k = 1; k < route.states.size(); ++k) {
     if (context.stop.stop_requested()) return stopped_report();
     Step step = to_step(ground, route.states[k], route.costs[k]);
+    if (options.transitions) {
+      const auto then = std::chrono::steady_clock::now();
+      const auto way = transition(ground, ground.standing(route.states[k - 1]).standing, ground.standing(route.states[k]).standing,
+                                  options.swing_height);
+      if (!way) throw std::logic_error("a transition of the route that was found is missing: step " + std::to_string(k - 1));
+      step.motion = to_motion(model_, *way);
+      course.least_margin = std::min(course.least_margin, way->least_margin);
+      course.motion_time += since(then);
+    }
     if (!context.emit(std::move(step))) return stopped_report();
   }
   return found_report(ground, options, route, course);

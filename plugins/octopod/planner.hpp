@@ -1,6 +1,6 @@
-// The planner of the octopod: requests to routes to steps.
+// The planner of the octopod: requests to routes to transitions to steps.
 //
-// Parameters are in schema.hpp, what a request may ask in request.hpp, the searches in search/; every
+// Parameters are in schema.hpp, what a request may ask in request.hpp, the searches in search/, the motions in transition/; every
 // step is judged by check/.
 #pragma once
 

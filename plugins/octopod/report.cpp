@@ -23,7 +23,8 @@ std::string objective(const Options& options) {
   switch (options.method) {
     case Method::kOptimal:
       return text("least sum of ", cost, ", over all routes of ", options.route.stability ? "stable " : "",
-                  "nodes and orientations", options.route.stability ? "" : "; STABILITY IS OFF");
+                  "nodes and orientations", options.transitions ? " joined by transitions" : "",
+                  options.route.stability ? "" : "; STABILITY IS OFF");
     case Method::kPaper:
       return text("sum of ", cost, ", small by the paper's A* over nodes", options.route.stability ? "" : "; STABILITY IS OFF");
     case Method::kRrt:
@@ -64,12 +65,14 @@ PlanReport found_report(const Ground& ground, const Options& options, const Rout
   add("posture change", route.cost - way, 0.0, "m");
   add("distance to goal", course.goal_distance, 0.0, "m");
   add("greatest critical friction", worst_friction, options.ground.friction, "1");
+  if (options.transitions) add("least friction left in motion", course.least_margin, 0.0, "1");
   add("unstable stances", unstable, 0.0, "1");
   add("steepest node", slope, 0.0, "rad");
   add("greatest residual", residual, 0.0, "m");
   add("states expanded", static_cast<double>(route.expanded), 0.0, "1");
   add("postures made", static_cast<double>(route.postures), 0.0, "1");
   add("search", course.search_time, 0.0, "ms");
+  if (options.transitions) add("motion", course.motion_time, 0.0, "ms");
   return report;
 }
 

@@ -9,6 +9,8 @@ namespace foothold::octopod {
 struct Course {
   double goal_distance = 0.0;  // m, from the asked place to the last node
   double search_time = 0.0;    // ms
+  double motion_time = 0.0;    // ms
+  double least_margin = 0.0;   // 1, friction left over all stances of the motions; with transitions only
 };
 
 // Of a route that was found and sent. Any thread that may use `ground`.

@@ -60,6 +60,8 @@ Options read_options(const Parameters& parameters) {
   Options out;
   const std::string& method = parameters.text("method");
   out.method = method == "paper" ? Method::kPaper : method == "rrt" ? Method::kRrt : Method::kOptimal;
+  out.transitions = parameters.flag("transitions");
+  out.swing_height = parameters.real("swing_height");
   out.snap = parameters.real("snap");
   out.ground.resolution = parameters.real("resolution");
   const std::string& split = parameters.text("split");
@@ -76,11 +78,16 @@ Options read_options(const Parameters& parameters) {
   out.route.samples = parameters.integer("samples");
   if (out.ground.cone_edges == 1 || out.ground.cone_edges == 2)
     invalid("parameters.cone_edges", "must be 0 (the exact cone) or 3 at least, is ", out.ground.cone_edges);
+  if (out.transitions && out.method == Method::kPaper)
+    invalid("parameters.transitions", "are not known to method paper; set transitions to false with it");
+  if (out.transitions && !out.route.stability)
+    invalid("parameters.transitions", "lead from one stable stance to the next; set transitions to false when stability is");
   return out;
 }
 
 CheckOptions check_options(const Options& options) {
-  return {options.route.stability, false, options.ground.friction, options.ground.cone_edges, options.ground.clearance};
+  return {options.route.stability, options.transitions, options.ground.friction, options.ground.cone_edges,
+          options.ground.clearance};
 }
 
 State read_start(const Ground& ground, const Options& options, const Request& request) {

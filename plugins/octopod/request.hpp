@@ -11,7 +11,9 @@ enum class Method { kOptimal, kPaper, kRrt };
 
 struct Options {
   Method method = Method::kOptimal;
-  double snap = 0.0;  // m
+  bool transitions = true;
+  double swing_height = 0.0;  // m
+  double snap = 0.0;          // m
   GroundOptions ground;
   RouteOptions route;
 };

@@ -10,6 +10,9 @@ inline constexpr ParameterSpec kParameters[] = {
      "optimal: least cost over nodes and orientations, proved; paper: A* over nodes as printed; rrt: RRT* over the surface"},
     {"stability", ParameterKind::kFlag, "", "true", 0, 0, "",
      "Unstable stances are forbidden (paper: dear); if false they are as good as others, and the plan is not safe"},
+    {"transitions", ParameterKind::kFlag, "", "false", 0, 0, "",
+     "Only from stance to stance where legs can be moved one after the other in equilibrium; each step carries that motion. Not "
+     "all that stand can be joined so: on the paper's terrain its goals cannot"},
     {"friction", ParameterKind::kReal, "1", "0.4", 0.01, 10.0, "", "Coefficient between feet and terrain"},
     {"cone_edges", ParameterKind::kInteger, "1", "10", 0, 256, "",
      "Edges of the pyramid inscribed in a friction cone, 3 at least; 0: the exact cone"},
@@ -24,6 +27,8 @@ inline constexpr ParameterSpec kParameters[] = {
     {"neighbours", ParameterKind::kInteger, "1", "10", 1, 64, "",
      "Nearest nodes that a node is joined with, beside (optimal, rrt) those across its triangle's edges"},
     {"clearance", ParameterKind::kReal, "m", "0", 0.0, 0.1, "", "Bodies and legs stay so far above the terrain"},
+    {"swing_height", ParameterKind::kReal, "m", "0.04", 0.005, 0.2, "",
+     "transitions: a swinging foot rises so far; over obstacles up to three times as far"},
     {"snap", ParameterKind::kReal, "m", "0.1", 0.0, 10.0, "",
      "Start and goal may lie so far from the terrain; the node nearest to them is taken"},
     {"samples", ParameterKind::kInteger, "1", "20000", 1, 100000000, "", "rrt: so many are drawn"},

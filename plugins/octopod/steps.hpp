@@ -2,6 +2,7 @@
 #pragma once
 
 #include "octopod/search/ground.hpp"
+#include "octopod/transition/transition.hpp"
 
 namespace foothold::octopod {
 

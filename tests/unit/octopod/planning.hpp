@@ -33,9 +33,6 @@ inline Parameters parameters(const std::map<std::string, std::string>& set = {})
   return Parameters(std::move(values));
 }
 
-// For tests that ask where the robot stands only.
-inline const std::map<std::string, std::string> kWithoutMotion;
-
 // A scene of config/scenes by its stem.
 inline Scene shipped(const std::string& stem) { return {stem, "", "yaml", FOOTHOLD_CONFIG_DIR "/scenes/" + stem + ".yaml"}; }
 

@@ -22,7 +22,7 @@ constexpr std::size_t kJudged = 2;  // of the route's steps
 
 Walk walk() {
   static const Walk planned = [] {
-    const Parameters values = parameters(kWithoutMotion);
+    const Parameters values = parameters();
     Walk out{shared_planner().prepare(shipped("terrain-ramps"), values), {}, {}, {}};
     Collector steps;
     const Request request = request_between(kPaperStart, kPaperB);

@@ -123,6 +123,29 @@ TEST(Planner, GivesTheSameBytesForTheSameRequestWhateverWasPlannedBefore) {
   }
 }
 
+TEST(Planner, MovesFromStanceToStanceWhereTransitionsAreWanted) {
+  const Parameters values = parameters({{"transitions", "true"}});
+  const auto scene = shared_planner().prepare(shipped("terrain-ditch"), values);
+  Collector out;
+  const Request request = request_between({-1.5, -1.0, 0.0}, {-0.9, -1.0, 0.0});
+  Posture before = shared_planner().start(request, values, *scene);
+  const PlanReport report = judged_plan(shared_planner(), request, values, *scene, out);
+  ASSERT_EQ(report.outcome, Outcome::kReached) << report.message;
+  EXPECT_GT(figure(report, "least friction left in motion"), 0.0);
+  ASSERT_FALSE(out.steps.empty());
+  for (const Step& step : out.steps) {
+    ASSERT_GT(step.motion.size(), 2u);
+    EXPECT_EQ(step.motion.front().time, 0.0);
+    for (std::size_t k = 0; k < kJoints; ++k) {
+      EXPECT_NEAR(step.motion.front().joints[k], before.joints[k], 1e-9) << k;
+      EXPECT_NEAR(step.motion.back().joints[k], step.after.joints[k], 1e-9) << k;
+    }
+    before = step.after;
+  }
+  Collector without;
+  EXPECT_LE(shared_planner().plan(request, parameters(), *scene, without).cost, report.cost + 1e-9);
+}
+
 TEST(Planner, StopsWhenItIsTold) {
   const Parameters values = parameters({{"resolution", "0.02"}});
   const auto scene = ramps(values);

@@ -65,6 +65,8 @@ TEST(Requests, SnapSaysHowFarFromTheTerrain) {
 TEST(Requests, NameTheParameterAtFault) {
   EXPECT_EQ(refused_field(sound(), {{"cone_edges", "2"}}), "parameters.cone_edges");
   EXPECT_EQ(refused_field(sound(), {{"cone_edges", "3"}}), "");
+  EXPECT_EQ(refused_field(sound(), {{"transitions", "true"}, {"method", "paper"}}), "parameters.transitions");
+  EXPECT_EQ(refused_field(sound(), {{"transitions", "true"}, {"stability", "false"}}), "parameters.transitions");
 }
 
 // On the second ramp's steep slope no friction of the terrain is enough.
