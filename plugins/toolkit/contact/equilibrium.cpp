@@ -1,6 +1,5 @@
 #include "contact/equilibrium.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,10 +11,10 @@
 namespace foothold::contact {
 
 struct Equilibrium::Work {
+  const simplex::Kernel& kernel = simplex::kernel();
   simplex::Problem problem;
   Verdict verdict;
-  double length = 1.0;  // m: the unit of length inside the problem
-  bool warm = false;
+  int warm = -1;  // contacts of the last stance, whose basis is kept; -1: none
 };
 
 namespace {
@@ -23,44 +22,16 @@ namespace {
 constexpr double kResidual = 1e-11;  // of the balance, above which the basis is factored anew
 constexpr double kUnproved = 0.5 * kBalanceTolerance;
 
-void fill(simplex::Problem& problem, std::span<const Contact> contacts, const Vector3d& com, double length) {
-  problem.groups.resize((contacts.size() + simplex::kLanes - 1) / simplex::kLanes);
-  if (!problem.groups.empty()) problem.groups.back() = {};
-  const double scale = 1.0 / length;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    simplex::Group& group = problem.groups[i / simplex::kLanes];
-    const std::size_t lane = i % simplex::kLanes;
-    const Vector3d& n = contacts[i].normal;
-    const auto [t, b] = tangents(n);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto axis = static_cast<Eigen::Index>(k);
-      group.r[k][lane] = (contacts[i].point[axis] - com[axis]) * scale;
-      group.n[k][lane] = n[axis];
-      group.t[k][lane] = t[axis];
-      group.b[k][lane] = b[axis];
-    }
-  }
-  problem.contacts = static_cast<int>(contacts.size());
-}
-
-// Forces of the basis; how far they are from balancing w.
-double forces_of(const simplex::Problem& problem, std::span<const Contact> contacts, const Vector3d& com, double length,
-                 std::vector<Vector3d>& forces) {
-  forces.assign(contacts.size(), Vector3d::Zero());
-  for (std::size_t i = 0; i < 6; ++i) {
-    const simplex::Column& column = problem.basis.columns[i];
-    if (column.contact < 0) continue;
-    const auto k = static_cast<std::size_t>(column.contact);
-    const auto [t, b] = tangents(contacts[k].normal);
-    const double x = std::max(problem.basis.inverse[2][i], 0.0);
-    forces[k] += x * (contacts[k].normal + problem.mu * (column.cos * t + column.sin * b));
-  }
-  Vector3d force = -Vector3d::UnitZ(), torque = Vector3d::Zero();
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    force += forces[k];
-    torque += (contacts[k].point - com).cross(forces[k]);
-  }
-  return std::max(force.cwiseAbs().maxCoeff(), torque.cwiseAbs().maxCoeff() / length);
+// The verdict's forces; kStuck if they balance too badly even from a basis factored anew: so great that their rounding alone is
+// too much.
+simplex::Outcome balanced(const simplex::Kernel& kernel, simplex::Problem& problem, std::span<const Contact> contacts,
+                          std::vector<Vector3d>& forces) {
+  forces.resize(contacts.size());
+  if (kernel.forces(problem, forces) <= kResidual) return simplex::Outcome::kBalanced;
+  kernel.rebuild(problem);
+  const simplex::Outcome again = kernel.solve(problem);
+  if (again == simplex::Outcome::kBalanced && !(kernel.forces(problem, forces) <= kUnproved)) return simplex::Outcome::kStuck;
+  return again;
 }
 
 }  // namespace
@@ -69,7 +40,8 @@ Equilibrium::Equilibrium(FrictionCone cone) : work_(std::make_unique<Work>()) {
   require_cone(cone);
   simplex::Problem& problem = work_->problem;
   problem.edges = cone.edges;
-  for (int j = 0; j < cone.edges; ++j) {
+  const int last = cone.edges % 2 == 0 ? cone.edges / 4 : cone.edges / 2;
+  for (int j = 0; j <= last; ++j) {
     const double angle = 2.0 * std::numbers::pi * j / cone.edges;
     problem.cos.push_back(std::cos(angle));
     problem.sin.push_back(std::sin(angle));
@@ -80,47 +52,45 @@ Equilibrium::~Equilibrium() = default;
 Equilibrium::Equilibrium(Equilibrium&&) noexcept = default;
 Equilibrium& Equilibrium::operator=(Equilibrium&&) noexcept = default;
 
-void Equilibrium::forget() { work_->warm = false; }
+void Equilibrium::forget() { work_->warm = -1; }
 
 FrictionCone Equilibrium::cone() const { return {work_->problem.edges}; }
 
 const Verdict& Equilibrium::judge(std::span<const Contact> contacts, const Vector3d& com, double mu) {
+  const simplex::Kernel& kernel = work_->kernel;
   simplex::Problem& problem = work_->problem;
   Verdict& verdict = work_->verdict;
-  const double length = require_stance(contacts, com, mu);
-  const bool warm = work_->warm && problem.contacts == static_cast<int>(contacts.size());
-  fill(problem, contacts, com, length);
+  const auto count = static_cast<int>(contacts.size());
+  const bool warm = work_->warm == count;
+  work_->warm = -1;
+  problem.groups.resize((contacts.size() + simplex::kLanes - 1) / simplex::kLanes);
   problem.mu = mu;
-  problem.pivots = 0;
+  const bool filled = kernel.fill(problem, contacts, com);
+  if (!filled || !(mu >= 0.0) || !std::isfinite(mu) || contacts.empty()) require_stance(contacts, com, mu);
   if (warm) {
-    simplex::rebuild(problem);
+    kernel.rebuild(problem);
   } else {
-    simplex::start_from_nothing(problem);
+    kernel.start(problem);
   }
-  work_->warm = true;
-  simplex::Outcome outcome = simplex::solve(problem);
-  if (outcome == simplex::Outcome::kBalanced && !(forces_of(problem, contacts, com, length, verdict.forces) <= kResidual)) {
-    simplex::rebuild(problem);
-    outcome = simplex::solve(problem);
-    // Forces so great that their rounding alone is too much are no proof.
-    if (outcome == simplex::Outcome::kBalanced && !(forces_of(problem, contacts, com, length, verdict.forces) <= kUnproved))
-      outcome = simplex::Outcome::kStuck;
-  }
+  problem.pivots = 0;
+  simplex::Outcome outcome = kernel.solve(problem);
+  if (outcome == simplex::Outcome::kBalanced) outcome = balanced(kernel, problem, contacts, verdict.forces);
+  work_->warm = count;
   if (outcome == simplex::Outcome::kStuck) {
     // Within rounding of the border of stability: the method that measures the distance from it decides.
-    const int pivots = problem.pivots;
     verdict = judge_by_projection(contacts, com, mu, cone());
-    verdict.pivots += pivots;
+    verdict.pivots += problem.pivots;
     return verdict;
   }
   verdict.stable = outcome == simplex::Outcome::kBalanced;
   verdict.proved = true;
   verdict.pivots = problem.pivots;
-  verdict.separating.setZero();
-  if (!verdict.stable) verdict.forces.clear();
-  if (outcome == simplex::Outcome::kSeparated) {
-    for (std::size_t k = 0; k < 6; ++k)
-      verdict.separating[static_cast<Eigen::Index>(k)] = k < 3 ? problem.y[k] : problem.y[k] / length;
+  if (verdict.stable) {
+    verdict.separating.setZero();
+  } else {
+    verdict.forces.clear();
+    const std::array<double, 6>& y = problem.y;
+    verdict.separating << y[0], y[1], y[2], y[3] / problem.length, y[4] / problem.length, y[5] / problem.length;
   }
   return verdict;
 }
