@@ -130,7 +130,7 @@ RequestFile read_request(const std::string& text, const std::string& path) {
   RequestFile out;
   msg::PlanRequest& request = out.request;
   request.robot(file.at("robot").text());
-  request.goal(read_placement(file.at("goal")));
+  if (const auto goal = file.find("goal")) request.goal(read_placement(*goal));
   if (const auto start = file.find("start")) request.start(read_placement(*start));
   if (const auto unit = file.find("unit")) request.unit(unit->text());
   if (const auto scene = file.find("scene")) read_scene(*scene, std::filesystem::path(path).parent_path(), out);

@@ -77,6 +77,12 @@ TEST(RequestFile, RollPitchYawTurnAboutFixedAxes) {
   EXPECT_NEAR(z_axis_x, 1.0, 1e-15);
 }
 
+TEST(RequestFile, WithoutAGoalItIsTheServersToSayWhetherTheRobotNeedsOne) {
+  const RequestFile file = read_request("robot: a\nstart: {base: {position: [0, 0, 0], heading_deg: 0}}\n", "r.yaml");
+  EXPECT_TRUE(file.request.goal().base().empty());
+  EXPECT_TRUE(file.request.goal().contacts().empty());
+}
+
 TEST(RequestFile, AContactMayLeaveItsLimbAndFaceToTheServer) {
   const auto request = read_request("robot: a\ngoal: {contacts: [{position: [1, 0, 0], heading_deg: 0}]}\n", "r.yaml").request;
   ASSERT_EQ(request.goal().contacts().size(), 1u);
@@ -106,7 +112,6 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"", "r.yaml:1: the file is empty"},
         Malformed{"robot: [a\ngoal: {}\n", "r.yaml:2: not YAML: end of sequence flow not found"},
         Malformed{"- robot\n", "r.yaml:1: expected keys with values"}, Malformed{"goal: {}\n", "r.yaml:1: robot: is missing"},
-        Malformed{"robot: a\n", "r.yaml:1: goal: is missing"},
         Malformed{"robot: a\ngoal: {}\nbugdet: 5\n", "r.yaml:3: bugdet: is not known; did you mean 'budget'?"},
         Malformed{"robot: a\ngoal: {}\nrobot: b\n", "r.yaml:3: 'robot' is given twice"},
         Malformed{"robot: [a]\ngoal: {}\n", "r.yaml:1: robot: expected text"},

@@ -8,7 +8,7 @@
 //   out start:                              # what is left out is not given: see `foothold robots` for what a robot needs
 //     base: {position: [0, 0, 0.1], heading_deg: 90}
 //     joints: [0.1, -0.2]               # rad or m, in the order that the robot announces
-//   goal:
+//   goal:                             # left out where a robot adapts on the spot
 //     base:
 //       position: [0.4, 0.4, 0]         # m
 //       orientation: [1, 0, 0, 0]       # w, x, y, z; or rpy_deg: [roll, pitch, yaw], about the fixed x, then y, then z axis;

@@ -1,0 +1,14 @@
+// What a plan of Hex-piderix says of its quality, or why there is none.
+#pragma once
+
+#include "hexpiderix/adapt/adapt.hpp"
+#include "hexpiderix/request.hpp"
+
+namespace foothold::hexpiderix {
+
+// `time`: ms of the search. Any thread.
+PlanReport found_report(const Model& model, const Adaption& found, const Start& from, const Options& options, double time);
+PlanReport failed_report(const Adaption& found);
+PlanReport stopped_report();
+
+}  // namespace foothold::hexpiderix
