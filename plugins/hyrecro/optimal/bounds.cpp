@@ -54,8 +54,8 @@ StrideBounds::StrideBounds(const Model& model) : hip_distance_(model.hip_distanc
 void StrideBounds::couple_shifts(const Model& model) {
   const double longest_leg = 2.0 * model.mechanism.offsets(0.0).high - model.core;
   const auto cell = [](double at) { return static_cast<std::size_t>(std::max(0.0, at) / kCell); };
-  std::vector<double> greatest(cell(longest_leg) + 3, 0.0);              // shift, by height
-  std::vector<double> lowest(cell(shift_ + kBetween) + 2, longest_leg);  // height, by shift
+  std::vector<double> greatest(cell(longest_leg) + 3, 0.0), smallest(greatest.size(), longest_leg);  // shift, by height
+  std::vector<double> lowest(cell(shift_ + kBetween) + 2, longest_leg);                              // height, by shift
   for (int i = 0; i <= kAngles; ++i) {
     const double phi = model.mechanism.greatest_phi() * i / kAngles;
     const kinematics::Interval y = model.mechanism.offsets(phi);
@@ -65,12 +65,17 @@ void StrideBounds::couple_shifts(const Model& model) {
     for (std::size_t c = cell(shortest * cosine - kBetween); c <= cell(longest * cosine + kBetween); ++c) {
       const double top = std::min(longest * cosine, kCell * static_cast<double>(c + 1) + kBetween);
       greatest[c] = std::max(greatest[c], top * sine / cosine + kBetween);
+      const double bottom = std::max(shortest * cosine, kCell * static_cast<double>(c) - kBetween);
+      smallest[c] = std::min(smallest[c], bottom * sine / cosine - kBetween);
     }
     for (std::size_t s = cell(shortest * sine - kBetween); s <= cell(longest * sine + kBetween) && s < lowest.size(); ++s) {
       const double at = sine > 1e-6 ? (kCell * static_cast<double>(s) - kBetween) * cosine / sine : 0.0;
       lowest[s] = std::min(lowest[s], std::max(shortest * cosine, at) - kBetween);
     }
   }
+  for (std::size_t c = 0; c < greatest.size(); ++c)
+    if (greatest[c] > 0.0) upright_.push_back({std::max(0.0, smallest[c]), std::min(shift_, greatest[c])});
+  std::sort(upright_.begin(), upright_.end(), [](const Upright& a, const Upright& b) { return a.most > b.most; });
   // From each height up.
   for (std::size_t c = greatest.size() - 1; c-- > 0;) greatest[c] = std::max(greatest[c], greatest[c + 1]);
   for (std::size_t s = lowest.size(); s-- > 0;) {
@@ -112,6 +117,49 @@ double StrideBounds::advance(const Vector2d& heading, double low, double high) c
   return std::min(best, reach());
 }
 
+double StrideBounds::advance(const Vector2d& heading, double low, double high, const Vector2d& other, double turn,
+                             double enough) const {
+  double best = enough;
+  // What a turn of the other heading changes lies within a disk, as what the hip's turn does.
+  const double radius = hip_distance_ + shift_ * turn;
+  const auto value = [&](const Vector2d& at) {
+    const double beyond = std::max({0.0, at.y() - high, low - at.y()});
+    if (beyond < radius) best = std::max(best, at.x() + std::sqrt(radius * radius - beyond * beyond));
+  };
+  // Concave along each line: greatest at an end or where the border's slope is the line's.
+  const auto line = [&](const Vector2d& from, const Vector2d& way, double length) {
+    value(from);
+    value(from + length * way);
+    if (std::fabs(way.y()) < 1e-9) return;
+    for (const double border : {low, high})
+      for (const double beyond : {0.0, radius * way.x(), -radius * way.x()}) {
+        const double at = (border + beyond - from.y()) / way.y();
+        if (at > 0.0 && at < length) value(from + at * way);
+      }
+  };
+  const auto block = [&](double from0, double to0, double from1, double to1) {
+    line(from0 * heading + from1 * other, heading, to0 - from0);
+    line(from0 * heading + to1 * other, heading, to0 - from0);
+    line(from0 * heading + from1 * other, other, to1 - from1);
+    line(to0 * heading + from1 * other, other, to1 - from1);
+  };
+  const double both = std::fabs(heading.x()) + std::fabs(other.x());
+  for (const Upright& at : upright_) {
+    if (at.most * both + radius <= best) break;
+    if (at.least < 1e-3) {
+      block(-at.most, at.most, -at.most, at.most);
+      continue;
+    }
+    for (const double one : {-1.0, 1.0})
+      for (const double two : {-1.0, 1.0})
+        block(std::min(one * at.least, one * at.most), std::max(one * at.least, one * at.most),
+              std::min(two * at.least, two * at.most), std::max(two * at.least, two * at.most));
+  }
+  if (std::fabs(heading.x() * other.y() - heading.y() * other.x()) <= std::sin(std::min(1.5, turn)) + kRounding)
+    line(-2.0 * shift_ * heading, heading, 4.0 * shift_);  // singular
+  return std::min(best, reach());
+}
+
 int StrideBounds::least_along(double distance, double first, double last) const {
   if (distance <= std::min(first, last) + kRounding) return 1;
   return 2 + std::max(0, static_cast<int>(std::ceil((distance - first - last - kRounding) / reach())));
@@ -133,6 +181,7 @@ Strip strip_of(const Polygon& outline, double inset) {
       best = strip;
     }
   }
+  best.inset = inset;
   best.low += inset;
   best.high -= inset;
   return best;

@@ -45,6 +45,8 @@ class StrideBounds {
   // which X is the direction) to any that stands from `low` to `high` (m) to its left. Symmetric: from there to here it is the
   // same.
   double advance(const Vector2d& heading, double low, double high) const;
+  // The same if the other heads along `other`, or along what lies within `turn` (rad) of it; less than `enough` need not be exact.
+  double advance(const Vector2d& heading, double low, double high, const Vector2d& other, double turn, double enough) const;
   // Strides of a chain that advances by `distance` (m), if the first advances by `first` at most and the last by `last`.
   int least_along(double distance, double first, double last) const;
 
@@ -53,16 +55,21 @@ class StrideBounds {
   struct Shifts {
     double low = 0.0, high = 0.0, other = 0.0;
   };
+  struct Upright {
+    double least = 0.0, most = 0.0;  // m, shifts at one height, rounded outwards
+  };
   void couple_shifts(const Model& model);
 
   double shift_ = 0.0, hip_distance_ = 0.0, transition_reach_ = 0.0;
-  std::vector<Shifts> coupled_;  // falling
+  std::vector<Shifts> coupled_;   // falling
+  std::vector<Upright> upright_;  // by height, the greatest shifts first
 };
 
 // A strip that holds all places of soles on a face: its direction, and the range across it.
 struct Strip {
   Vector2d along = Vector2d::UnitX();  // unit
   double low = 0.0, high = 0.0;        // m, of the places' component along (-along.y, along.x)
+  double inset = 0.0;                  // m, by which the outline is wider on either side
 
   double across(const Vector2d& place) const { return along.x() * place.y() - along.y() * place.x(); }
 };

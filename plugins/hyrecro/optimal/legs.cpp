@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "hyrecro/optimal/narrow.hpp"
+
 namespace foothold::hyrecro {
 namespace {
 
@@ -20,6 +22,10 @@ constexpr int kFineTurns = 24;
 constexpr double kBesideRoom = 0.05;  // m: so far beside the room for a plate in line with the edges an end may stand
 constexpr double kNear = 0.15;        // m: ends nearer than this are
 
+constexpr double kNearly = 0.06;  // m: bounds that are nearer than this to what is asked for are looked at closely
+constexpr double kMicro = 1e-6;   // m, rad
+
+std::int64_t micro(double value) { return std::llround(value / kMicro); }
 double quarter(double heading) { return std::round(heading / (0.5 * std::numbers::pi)) * 0.5 * std::numbers::pi; }
 
 }  // namespace
@@ -37,6 +43,36 @@ int Legs::least(const Foothold& u, const Advances& of_u, const Foothold& v, cons
   const double way = strip(u.face).along.dot(v.at - u.at);
   const int along = way >= 0.0 ? bounds_.least_along(way, of_u.forth, of_v.back) : bounds_.least_along(-way, of_u.back, of_v.forth);
   return std::max(anywhere, along);
+}
+
+double Legs::furthest_along(const Foothold& from, double sense) {
+  const Strip& along = strip(from.face);
+  const double at = along.across(from.at), heading = from.heading - std::atan2(along.along.y(), along.along.x());
+  const auto [entry, fresh] = furthest_.try_emplace(
+      {micro(along.low - at), micro(along.high - at), micro(wrapped(heading)), static_cast<std::int64_t>(sense), 0, 0, 0});
+  if (fresh) {
+    const Advances quick = advances_of(from);
+    entry->second = std::min(furthest(bounds_, along, strides_.model().plate.head<2>(), from, sense) + kMicro,
+                             sense > 0.0 ? quick.forth : quick.back);
+  }
+  return entry->second;
+}
+
+int Legs::least_exactly(const Foothold& u, const Foothold& v) {
+  const int quick = least(u, v);
+  if (quick < 2) return quick;
+  const Strip& along = strip(u.face);
+  const double way = along.along.dot(v.at - u.at), sense = way < 0.0 ? -1.0 : 1.0, reach = bounds_.reach();
+  const Advances of_u = advances_of(u), of_v = advances_of(v);
+  const double most = (way < 0.0 ? of_u.back + of_v.forth : of_u.forth + of_v.back) + (quick - 2) * reach;
+  if (most > std::fabs(way) + kNearly) return quick;
+  if (quick > 2) return std::max(quick, bounds_.least_along(std::fabs(way), furthest_along(u, sense), furthest_along(v, -sense)));
+  const double turned = std::atan2(along.along.y(), along.along.x());
+  const auto [entry, fresh] =
+      two_may_do_.try_emplace({micro(along.low), micro(along.high), micro(wrapped(u.heading - turned)), micro(along.across(u.at)),
+                               micro(wrapped(v.heading - turned)), micro(along.across(v.at)), micro(way)});
+  if (fresh) entry->second = two_may_do(bounds_, along, strides_.model().plate.head<2>(), u, v);
+  return entry->second ? 2 : 3;
 }
 
 int Legs::least(const Foothold& u, const Foothold& v) { return least(u, advances_of(u), v, advances_of(v)); }

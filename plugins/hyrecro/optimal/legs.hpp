@@ -6,7 +6,10 @@
 // Depth first, with a limit of tries.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -28,6 +31,8 @@ class Legs {
   int least(const Foothold& u, const Foothold& v);
   // The same with both footholds' advances() along strip(), for those that ask often.
   int least(const Foothold& u, const Advances& of_u, const Foothold& v, const Advances& of_v);
+  // The same to the millimetre, for those that ask seldom (milliseconds where it is near).
+  int least_exactly(const Foothold& u, const Foothold& v);
   const Strip& strip(int face);
   Advances advances_of(const Foothold& foothold) { return advances(bounds_, strip(foothold.face), foothold); }
 
@@ -41,6 +46,10 @@ class Legs {
   // Exactly `count` strides from `u` to `v`, the last one to `v`; empty if none was found. Precondition: count >= least(u, v) > 0.
   std::optional<std::vector<Stride>> find(const Foothold& u, const Foothold& v, int count, const Banned& banned);
 
+  // The same with far more tries: the first and the last foothold all over the strip, the ones between by find(). Tenths of a
+  // second where there is none.
+  std::optional<std::vector<Stride>> find_thoroughly(const Foothold& u, const Foothold& v, int count, const Banned& banned);
+
   std::size_t tried() const { return tried_; }  // strides judged, since construction
 
  private:
@@ -48,6 +57,15 @@ class Legs {
   using Rooms = std::vector<geometry::PolygonPaths>;
   // Without the strip.
   int least_anywhere(const Foothold& u, const Foothold& v) const;
+  struct Reached {
+    Stride stride;         // from the end to there
+    double advance = 0.0;  // m
+  };
+  std::vector<Reached> reached_from(const Foothold& end, double sense, double least, double most, const Banned& banned);
+  std::optional<std::vector<Stride>> two(const Foothold& u, const Foothold& v, const Banned& banned);
+  template <typename Take>
+  bool scan(const Foothold& end, double sense, double least, double most, const Take& take);
+  double furthest_along(const Foothold& from, double sense);
   bool walk(int left);
   std::optional<Coordinates> judge(const Foothold& from, const Foothold& to, bool last);
   void candidates(const Foothold& from, int left, std::vector<Foothold>& out);
@@ -64,6 +82,10 @@ class Legs {
   std::vector<std::vector<Foothold>> open_;  // candidates by depth
   std::unordered_map<int, Rooms> rooms_;     // by face
   std::unordered_map<int, Strip> strips_;    // by face
+  // What narrow.hpp found: by the strip's borders and the ends' headings and places across, in micrometres and microradians.
+  using Ends = std::array<std::int64_t, 7>;
+  std::map<Ends, bool> two_may_do_;
+  std::map<Ends, double> furthest_;
   std::size_t tried_ = 0, most_tried_ = 0, most_looks_ = 0, most_exact_ = 0;
 };
 

@@ -14,6 +14,7 @@ struct Effort {
   std::size_t most = 0;  // evaluations
 };
 constexpr double kGreed = 3.0;
+constexpr int kMostTries = 12;
 
 // Forward, lazily. A state is 2 * node + (departing ? 1 : 0).
 class Forward {
@@ -161,9 +162,22 @@ SearchResult search_route(RouteGraph& graph, std::size_t max_settled, const std:
   if (out.outcome == Outcome::kLimit && settled <= max_settled) out = search({false, kGreed, max_settled});
   // What was found out on the way has raised what can be proved.
   if (out.outcome == Outcome::kFound && out.bound.first < out.cost.first) {
-    const SearchResult proof = search({true, 1.0, graph.patience()});
+    SearchResult proof = search({true, 1.0, graph.patience()});
     if (proof.outcome == Outcome::kStopped) return proof;
     out.bound = std::min(proof.outcome == Outcome::kFound ? proof.cost : proof.bound, out.cost);
+    // A route that no proof contradicts may have been missed.
+    for (int tries = 0; tries < kMostTries && proof.outcome == Outcome::kFound && graph.counts(); ++tries) {
+      if (!(proof.cost.first < out.cost.first)) break;
+      const bool achieved = std::all_of(proof.hops.begin(), proof.hops.end(),
+                                        [&](const Hop& hop) { return !hop.leg || graph.achieve(hop.from, hop.to); });
+      if (achieved) {
+        out.hops = proof.hops;
+        out.cost = proof.cost;
+        break;
+      }
+      proof = search({true, 1.0, graph.patience()});
+      if (proof.outcome == Outcome::kStopped) return proof;
+    }
   }
   out.settled = settled;
   return out;

@@ -47,6 +47,9 @@ class RouteGraph {
   // What is known to be possible, or to be impossible (kNever); never less than the bound. `proved`: what no leg can be cheaper
   // than.
   virtual Cost leg(int from, int to, bool proved) = 0;
+  // Looks harder for a leg that costs no more than leg(from, to, true). If there is none to be found, that one says more from now
+  // on than what is proved.
+  virtual bool achieve(int from, int to) = 0;
   // Transitions that may be possible, in two parts; symmetric. Valid until the next call.
   virtual std::array<std::span<const Transition>, 2> transitions(int node) = 0;
   virtual Cost cost(int node, const Transition& transition) const = 0;

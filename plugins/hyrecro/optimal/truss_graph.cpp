@@ -190,6 +190,7 @@ bool TrussGraph::hemmed_in(int end) {
 }
 
 const KeptTruss::Leg& TrussGraph::walk(int from, int to) {
+  if (const auto achieved = achieved_.find(pair_of(from, to)); achieved != achieved_.end()) return achieved->second;
   const KeptTruss::Leg& leg = walk(from, to, {}, std::max(from, to) >= samples_ ? own_walked_ : kept_.walked);
   // What is not there without bans is not there with them, and most of what is there they do not touch.
   Foothold before = at(from);
@@ -251,8 +252,10 @@ std::uint32_t TrussGraph::corner(int node) const {
 Cost TrussGraph::leg(int from, int to, bool proved) {
   const double straight_way = (at(to).at - at(from).at).norm();
   if (proved) {
-    const int least = kept_.legs.least(at(from), at(to));
-    return of(least == 1 ? walk(from, to).least : least, straight_way);
+    int least = kept_.legs.least_exactly(at(from), at(to));
+    if (least == 1) least = walk(from, to).least;
+    const auto doubted = doubtful_.find(pair_of(from, to));
+    return of(doubted == doubtful_.end() ? least : std::max(least, doubted->second + 1), straight_way);
   }
   if (guesses_ && barred(from, to)) {
     guessed_ = true;
@@ -268,6 +271,19 @@ Cost TrussGraph::leg(int from, int to, bool proved) {
     before = stride.to.at;
   }
   return of(static_cast<int>(leg.strides.size()), length < straight_way + kSameLength ? straight_way : length);
+}
+
+bool TrussGraph::achieve(int from, int to) {
+  const int wanted = static_cast<int>(leg(from, to, true).first);
+  const KeptTruss::Leg& known = walk(from, to);
+  if (known.found && static_cast<int>(known.strides.size()) <= wanted) return true;
+  // For this request alone: answers do not depend on what was asked before.
+  if (auto found = kept_.legs.find_thoroughly(at(from), at(to), wanted, banned_)) {
+    achieved_[pair_of(from, to)] = {known.least, true, std::move(*found)};
+    return true;
+  }
+  doubtful_[pair_of(from, to)] = wanted;
+  return false;
 }
 
 // `end`: start or goal. What may be reached from it, and it from there.

@@ -65,6 +65,7 @@ class TrussGraph final : public RouteGraph {
   std::span<const int> on_face(int face) const override;
   void leg_bounds(int node, std::span<Cost> out) override;
   Cost leg(int from, int to, bool proved) override;
+  bool achieve(int from, int to) override;
   std::array<std::span<const Transition>, 2> transitions(int node) override;
   Cost cost(int node, const Transition& transition) const override;
   bool counts() const override { return options_.objective == Objective::kSteps; }
@@ -117,6 +118,8 @@ class TrussGraph final : public RouteGraph {
   Walked own_walked_;                                           // legs with start or goal
   Walked round_bans_;                                           // where bans take strides out of them
   std::unordered_map<std::uint64_t, std::optional<Coordinates>> own_judged_;
+  Walked achieved_;                                  // in fewer strides than walk() finds
+  std::unordered_map<std::uint64_t, int> doubtful_;  // legs that were not achieved with so many strides
   bool guesses_ = true, guessed_ = false;
   std::unordered_map<std::uint64_t, int> failures_;  // of legs: between two corners of a face, from one, to one
 };

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "hyrecro/optimal/level_postures.hpp"
+#include "hyrecro/optimal/narrow.hpp"
 #include "poses.hpp"
 
 namespace foothold::hyrecro {
@@ -188,6 +189,52 @@ TEST(StrideBounds, KeepTheTriangleInequalityAlongAStrip) {
     const Foothold a = some(), b = some(), c = some();
     ASSERT_LE(least(a, c), least(a, b) + least(b, c));
   }
+}
+
+// Against postures by the dense: every foothold between that a lattice holds, with the strides to it and from it in closed form.
+TEST(Narrow, TwoStridesAreRuledOutOnlyWhereALatticeHoldsNone) {
+  const StrideBounds bounds(robot());
+  const LevelPostures postures(robot(), bounds.shift());
+  const Vector2d plate = robot().plate.head<2>();
+  std::mt19937_64 random(17);
+  int ruled_out = 0, done = 0, possible = 0;
+  for (int i = 0; i < 100; ++i) {
+    const double half = uniform(random, 0.06, 0.15);
+    const Strip strip{{1.0, 0.0}, 0.05 - half, half - 0.05, 0.05};
+    const auto end = [&](double x) {
+      const double heading =
+          random() % 2 == 0 ? 0.5 * std::numbers::pi * static_cast<double>(random() % 4) : uniform(random, -4, 4);
+      return Foothold{0, {x, uniform(random, strip.low, strip.high)}, heading};
+    };
+    const Foothold u = end(0.0);
+    Foothold v = end(0.0);
+    // About as far as the quick bound lets two strides lead.
+    v.at.x() = advances(bounds, strip, u).forth + advances(bounds, strip, v).back - uniform(random, 0.0, 0.03);
+    const bool may = two_may_do(bounds, strip, plate, u, v);
+    EXPECT_LE(furthest(bounds, strip, plate, u, 1.0), bounds.reach());
+    (may ? possible : ruled_out) += 1;
+    const auto leads = [&](const Foothold& from, const Foothold& to) {
+      return postures.any(Eigen::Rotation2Dd(-from.heading) * (to.at - from.at), to.heading - from.heading,
+                          [](const Coordinates&) { return true; });
+    };
+    bool exists = false;
+    const double last = advances(bounds, strip, v).back;
+    for (double heading = 0.0; heading < 3.14 && !exists; heading += std::numbers::pi / 36)
+      for (double y = strip.low; y <= strip.high && !exists; y += 0.004)
+        for (double x = v.at.x() - last; x <= advances(bounds, strip, u).forth && !exists; x += 0.004) {
+          const Foothold m{0, {x, y}, heading};
+          const double wide = 0.05 * (std::fabs(std::sin(heading)) + std::fabs(std::cos(heading)));
+          if (std::fabs(y) > half - wide || !leads(u, m)) continue;
+          exists = leads(m, v);
+        }
+    if (exists) {
+      ++done;
+      EXPECT_TRUE(may) << i;
+    }
+  }
+  EXPECT_GT(ruled_out, 15);
+  EXPECT_GT(done, 15);
+  EXPECT_GT(done, possible / 2);
 }
 
 TEST(LevelPostures, PutTheFreeSoleWhereItShallBe) {
