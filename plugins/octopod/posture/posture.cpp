@@ -42,14 +42,17 @@ Built turned(const Model& model, const Built& built) {
   return out;
 }
 
-double change(const Standing& a, const Standing& b, const ChangeWeights& weights) {
-  const double place =
-      (a.at.front.translation() - b.at.front.translation()).norm() + (a.rear.translation() - b.rear.translation()).norm();
-  const double turn = angle_between(a.at.front.linear(), b.at.front.linear()) + angle_between(a.rear.linear(), b.rear.linear());
+double change(const Standing& a, const Standing& b, const ChangeWeights& weights, double enough) {
+  double sum = weights.place * ((a.at.front.translation() - b.at.front.translation()).norm() +
+                                (a.rear.translation() - b.rear.translation()).norm());
+  if (sum >= enough) return sum;
   double joints = 0.0;
   for (std::size_t i = 0; i < kLegs; ++i)
     for (Eigen::Index k = 0; k < 3; ++k) joints += squared_turn(a.at.legs[i][k], b.at.legs[i][k]);
-  return weights.place * place + weights.orientation * turn + weights.joints * std::sqrt(joints);
+  sum += weights.joints * std::sqrt(joints);
+  if (sum >= enough) return sum;
+  return sum + weights.orientation *
+                   (angle_between(a.at.front.linear(), b.at.front.linear()) + angle_between(a.rear.linear(), b.rear.linear()));
 }
 
 std::string reason(const Built& built) {

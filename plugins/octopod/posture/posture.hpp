@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string>
 
 #include "octopod/model/body.hpp"
@@ -73,6 +74,8 @@ struct ChangeWeights {
   double orientation = 0.1;  // m/rad
   double joints = 0.01;      // m/rad
 };
-double change(const Standing& a, const Standing& b, const ChangeWeights& weights);
+// Of changes that are `enough` or more it may tell anything from `enough` to the change: searches ask for far more than they use.
+double change(const Standing& a, const Standing& b, const ChangeWeights& weights,
+              double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace foothold::octopod

@@ -15,12 +15,14 @@ std::vector<double> distances_to(const Ground& ground, int goal_node) {
   while (!open.empty()) {
     const int node = open.pop();
     const double far = out[static_cast<std::size_t>(node)];
-    for (const int other : ground.adjacent(node)) {
-      const double over = far + (ground.place(other) - ground.place(node)).norm();
-      double& least = out[static_cast<std::size_t>(other)];
+    const auto beside = ground.adjacent(node);
+    const auto lengths = ground.lengths(node);
+    for (std::size_t k = 0; k < beside.size(); ++k) {
+      const double over = far + lengths[k];
+      double& least = out[static_cast<std::size_t>(beside[k])];
       if (over >= least) continue;
       least = over;
-      open.put(other, over);
+      open.put(beside[k], over);
     }
   }
   return out;

@@ -107,6 +107,11 @@ int Ground::nearest_node(const Vector3d& point) const {
 }
 std::span<const int> Ground::nearest(int node) const { return kept_->neighbours.nearest.of(node); }
 std::span<const int> Ground::adjacent(int node) const { return kept_->neighbours.adjacent.of(node); }
+std::span<const double> Ground::lengths(int node) const {
+  const auto beside = adjacent(node);
+  return std::span<const double>(kept_->neighbours.lengths)
+      .subspan(static_cast<std::size_t>(beside.data() - kept_->neighbours.adjacent.all.data()), beside.size());
+}
 long Ground::postures_made() const { return kept_->made; }
 void Ground::forget() const { kept_->forget(); }
 

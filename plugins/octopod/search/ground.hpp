@@ -51,6 +51,7 @@ class Ground final : public PreparedScene {
   // Where the robot may go next: those, the nodes that have this one among theirs, and the triangles across the edges. Sorted,
   // without doubles; a is adjacent to b whenever b is to a.
   std::span<const int> adjacent(int node) const;
+  std::span<const double> lengths(int node) const;  // to those, straight, m: d of the paper
 
   // Kept once computed.
   const Built& standing(State state) const;

@@ -8,6 +8,9 @@ namespace foothold::octopod {
 Neighbours make_neighbours(const terrain::Terrain& fine, const terrain::CentroidTree& tree, std::span<const int> triangles,
                            std::span<const int> node_of_triangle, int count) {
   Neighbours out;
+  const auto centroid = [&](int node) {
+    return fine.centroids[static_cast<std::size_t>(triangles[static_cast<std::size_t>(node)])];
+  };
   std::vector<std::vector<int>> beside(triangles.size());
   for (std::size_t node = 0; node < triangles.size(); ++node) {
     const int self = static_cast<int>(node), triangle = triangles[node];
@@ -31,6 +34,8 @@ Neighbours make_neighbours(const terrain::Terrain& fine, const terrain::Centroid
   for (auto& list : beside) {
     std::sort(list.begin(), list.end());
     out.adjacent.all.insert(out.adjacent.all.end(), list.begin(), std::unique(list.begin(), list.end()));
+    for (std::size_t k = out.lengths.size(); k < out.adjacent.all.size(); ++k)
+      out.lengths.push_back((centroid(out.adjacent.all[k]) - centroid(static_cast<int>(&list - beside.data()))).norm());
     out.adjacent.begin.push_back(out.adjacent.all.size());
   }
   return out;

@@ -20,8 +20,9 @@ struct Lists {
 };
 
 struct Neighbours {
-  Lists nearest;   // the nodes with the nearest centroids, nearest first (paper, section 5)
-  Lists adjacent;  // those, whoever has this one among theirs, and the triangles across the edges; sorted
+  Lists nearest;                // the nodes with the nearest centroids, nearest first (paper, section 5)
+  Lists adjacent;               // those, whoever has this one among theirs, and the triangles across the edges; sorted
+  std::vector<double> lengths;  // of adjacent.all, between centroids, m
 };
 
 // Nodes are the ground triangles of `fine`: `triangles` by node, `node_of_triangle` the other way (-1: none).

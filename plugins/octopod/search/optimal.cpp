@@ -5,8 +5,8 @@
 // consistent (q is a metric), so a state is closed at its least cost.
 //
 // Lazy (after Cohen, Phillips, Likhachev 2014): a state is promised with a lower bound of f first, which needs no posture of it
-// (triangle inequality: w q(u, v) + h(v) is at least what u's own posture is from the goal's); its posture and verdict are made
-// when the promise comes up, and whether the edge to it is open when the state itself does.
+// (triangle inequality: w q(u, v) plus v's change to the goal is at least u's own); its posture and verdict are made when the
+// promise comes up, and whether the edge to it is open is asked when the state itself does.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,9 +24,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 enum class Stage : std::uint8_t { kPromised, kJudged, kClosed, kForbidden };
 
+// f is g + change_left + the distance over the nodes. Of promised states g + change_left is what is known of the two together.
 struct Seen {
   double g = kInfinity;
-  double to_goal = 0.0;  // of judged ones: h
+  double change_left = 0.0;  // weighted change to the nearest of the goal's postures
   State parent = -1;
   Stage stage = Stage::kPromised;
 };
@@ -52,17 +53,44 @@ class Search {
 
  private:
   Seen& at(State state) { return seen_[static_cast<std::size_t>(state)]; }
-  double distance(State state) const { return distances_[static_cast<std::size_t>(node_of(state))]; }
   bool allowed(State state) const { return options_.stability ? ground_.stable(state) : ground_.stands(state); }
-  double step(State a, State b) const { return step_cost(ground_, a, b, options_); }
-  double to_goal(State state) const;
+  // Open with what f is now, unless the goal is out of reach from there.
+  void put(State state) {
+    const Seen& seen = at(state);
+    const double f = seen.g + seen.change_left + distances_[static_cast<std::size_t>(node_of(state))];
+    if (f < kInfinity) open_.put(state, f);
+  }
+  // Exact if less than `enough`, or else something that is not.
+  double weighted_change(State a, State b, double enough) const {
+    const double w = options_.posture_weight;
+    if (w <= 0.0) return 0.0;
+    return w * change(ground_.standing(a).standing, ground_.standing(b).standing, options_.weights, enough / w);
+  }
+  double change_left(State state) const {
+    double least = kInfinity;
+    for (const State goal : goals_) least = std::min(least, weighted_change(state, goal, least));
+    return least;
+  }
+
   // Whether the state's posture will do; then it is open with its least cost over the closed states beside it.
   void judge(State state);
-  // The way to it that costs least, of the ways that are not known to be closed.
+  // Reaches the state from a closed one beside it, d (m) away, if that is cheaper. Returns whether it is.
+  bool offer(State state, State parent, double d) {
+    Seen& seen = at(state);
+    const double before = at(parent).g + d, enough = seen.g - before;
+    if (enough <= 0.0) return false;
+    const double more = weighted_change(parent, state, enough);
+    if (more >= enough || before + more >= seen.g) return false;
+    seen.g = before + more;
+    seen.parent = parent;
+    return true;
+  }
+  // The way to it that costs least, of the ways that are not known to be shut.
   void choose_parent(State state);
   bool passable(State state);
   void expand(State state);
   Route route_to(State goal);
+  Route no_path();
 
   const Ground& ground_;
   State from_;
@@ -77,20 +105,13 @@ class Search {
   OpenList open_;
 };
 
-double Search::to_goal(State state) const {
-  double least = kInfinity;
-  for (const State goal : goals_)
-    least = std::min(least, change(ground_.standing(state).standing, ground_.standing(goal).standing, options_.weights));
-  return distance(state) + options_.posture_weight * least;
-}
-
 void Search::judge(State state) {
   if (!allowed(state)) {
     at(state).stage = Stage::kForbidden;
     return;
   }
   at(state).stage = Stage::kJudged;
-  at(state).to_goal = to_goal(state);
+  at(state).change_left = change_left(state);
   choose_parent(state);
 }
 
@@ -98,17 +119,17 @@ void Search::choose_parent(State state) {
   Seen& seen = at(state);
   seen.g = kInfinity;
   const auto shut = shut_.find(state);
-  for (const int node : ground_.adjacent(node_of(state)))
+  const auto beside = ground_.adjacent(node_of(state));
+  const auto lengths = ground_.lengths(node_of(state));
+  for (std::size_t k = 0; k < beside.size(); ++k) {
+    const int node = beside[k];
     for (State other = kOrientations * node; other < kOrientations * (node + 1); ++other) {
       if (at(other).stage != Stage::kClosed) continue;
       if (shut != shut_.end() && std::find(shut->second.begin(), shut->second.end(), other) != shut->second.end()) continue;
-      const double g = at(other).g + step(other, state);
-      if (g < seen.g) {
-        seen.g = g;
-        seen.parent = other;
-      }
+      offer(state, other, lengths[k]);
     }
-  if (seen.g < kInfinity) open_.put(state, seen.g + seen.to_goal);
+  }
+  if (seen.g < kInfinity) put(state);
 }
 
 bool Search::passable(State state) {
@@ -121,21 +142,19 @@ bool Search::passable(State state) {
 
 void Search::expand(State state) {
   const Seen& self = at(state);
-  const double change_left = self.to_goal - distance(state);
-  const int node = node_of(state);
-  for (const int other : ground_.adjacent(node)) {
-    const double least =
-        self.g + (ground_.place(other) - ground_.place(node)).norm() + distances_[static_cast<std::size_t>(other)] + change_left;
+  const auto beside = ground_.adjacent(node_of(state));
+  const auto lengths = ground_.lengths(node_of(state));
+  for (std::size_t k = 0; k < beside.size(); ++k) {
+    const int other = beside[k];
+    const double promise = self.g + lengths[k] + self.change_left;
     for (State next = kOrientations * other; next < kOrientations * (other + 1); ++next) {
       Seen& seen = at(next);
       if (seen.stage == Stage::kPromised) {
-        if (least < open_.key(next)) open_.put(next, least);
-      } else if (seen.stage == Stage::kJudged && least < seen.g + seen.to_goal) {
-        const double g = self.g + step(state, next);
-        if (g >= seen.g) continue;
-        seen.g = g;
-        seen.parent = state;
-        open_.put(next, g + seen.to_goal);
+        if (promise >= seen.g) continue;
+        seen.g = promise;
+        put(next);
+      } else if (seen.stage == Stage::kJudged && promise < seen.g + seen.change_left) {
+        if (offer(next, state, lengths[k])) put(next);
       }
     }
   }
@@ -155,23 +174,26 @@ Route Search::route_to(State goal) {
   return out;
 }
 
+Route Search::no_path() {
+  std::vector<bool> reached(seen_.size());
+  std::transform(seen_.begin(), seen_.end(), reached.begin(), [](const Seen& seen) { return seen.stage == Stage::kClosed; });
+  reached[static_cast<std::size_t>(from_)] = true;
+  return blocked(ground_, reached, from_, goal_node_, options_.stability);
+}
+
 Route Search::run() {
   long expanded = 0;
   Route out;
-  if (!goals_.empty() && allowed(from_) && distance(from_) < kInfinity) {
-    Seen& start = at(from_);
-    start = {0.0, to_goal(from_), -1, Stage::kJudged};
-    open_.put(from_, start.to_goal);
+  if (!goals_.empty() && allowed(from_)) {
+    at(from_) = {0.0, change_left(from_), -1, Stage::kJudged};
+    put(from_);
   }
   while (true) {
     if (open_.empty()) {
-      std::vector<bool> reached(seen_.size());
-      std::transform(seen_.begin(), seen_.end(), reached.begin(), [](const Seen& s) { return s.stage == Stage::kClosed; });
-      reached[static_cast<std::size_t>(from_)] = true;
-      out = blocked(ground_, reached, from_, goal_node_, options_.stability);
+      out = no_path();
       break;
     }
-    out.bound = open_.least();
+    out.bound = std::max(out.bound, open_.least());
     if (stop_.stop_requested()) {
       out.end = Route::End::kStopped;
       break;

@@ -16,7 +16,7 @@ struct RouteOptions {
   ChangeWeights weights;
   double posture_weight = 1.0;  // of q beside d
   long max_states = 100'000'000;
-  long samples = 20'000;  // of method rrt
+  long samples = 5'000;  // of method rrt
   double budget = 60.0;   // s, of method rrt: a run that it ends does not repeat itself
 };
 

@@ -29,6 +29,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kToGoal = 0.05;  // part of the samples that are the goal
 constexpr double kRange = 1e-6;   // below any distance of states: every motion is steered
+constexpr int kCopies = 3;        // of a state in the tree
 constexpr double kTurning = 0.1;  // m/rad, of headings in the distance by which nearest states are found
 
 int read(const ob::State* state) { return state->as<ob::DiscreteStateSpace::StateType>()->value; }
@@ -42,30 +43,51 @@ int turns(State from, State to) {
 
 class Space final : public ob::DiscreteStateSpace {
  public:
-  explicit Space(const Ground& ground) : ob::DiscreteStateSpace(0, ground.states() - 1), ground_(ground) {}
-  unsigned getDimension() const override { return 3; }  // two of the surface and the heading
-  double distance(const ob::State* a, const ob::State* b) const override { return far(read(a), read(b)); }
+  Space(const Ground& ground, const RouteOptions& options)
+      : ob::DiscreteStateSpace(0, ground.states() - 1), ground_(ground), options_(options) {}
+  unsigned getDimension() const override { return 2; }  // a surface: the heading follows from the steering
+  double distance(const ob::State* a, const ob::State* b) const override {
+    return (ground_.place(node_of(read(a))) - ground_.place(node_of(read(b)))).norm() +
+           kTurning * std::abs(turns(read(a), read(b))) * std::numbers::pi / 4;
+  }
   bool hasSymmetricInterpolate() const override { return false; }
   void interpolate(const ob::State* from, const ob::State* to, double /*part*/, ob::State* out) const override {
-    const State aim = read(to);
-    const int turn = std::clamp(turns(read(from), aim), -1, 1);
-    const int heading = (orientation_of(read(from)) + turn + kOrientations) % kOrientations;
-    State best = kOrientations * node_of(read(from)) + heading;
+    const Vector3d& aim = ground_.place(node_of(read(to)));
+    int next = node_of(read(from));
     double least = std::numeric_limits<double>::infinity();
-    for (const int node : ground_.adjacent(node_of(read(from))))
-      if (const double left = (ground_.place(node) - ground_.place(node_of(aim))).norm(); left < least) {
+    for (const int node : ground_.adjacent(next))
+      if (const double left = (ground_.place(node) - aim).norm(); left < least) {
         least = left;
-        best = kOrientations * node + heading;
+        next = node;
       }
-    write(out, best);
+    write(out, best_heading(read(from), next));
+    steered_ = true;
   }
+  bool allowed(State state) const { return options_.stability ? ground_.stable(state) : ground_.stands(state); }
+  // Whether the motion that is asked for next is one that interpolate() made: a new state of the tree.
+  bool take_steered() const { return std::exchange(steered_, false); }
 
  private:
-  double far(State a, State b) const {
-    return (ground_.place(node_of(a)) - ground_.place(node_of(b))).norm() + kTurning * std::abs(turns(a, b)) * std::numbers::pi / 4;
+  State best_heading(State from, int node) const {
+    State best = kOrientations * node + orientation_of(from);
+    double least = std::numeric_limits<double>::infinity();
+    for (State state = kOrientations * node; state < kOrientations * (node + 1); ++state)
+      if (allowed(state))
+        if (const double cost = step_cost(ground_, from, state, options_); cost < least) {
+          least = cost;
+          best = state;
+        }
+    return best;
   }
   const Ground& ground_;
+  const RouteOptions& options_;
+  mutable bool steered_ = false;
 };
+
+bool beside(const Ground& ground, State a, State b) {
+  const auto around = ground.adjacent(node_of(a));
+  return std::binary_search(around.begin(), around.end(), node_of(b));
+}
 
 class Sampler final : public ob::StateSampler {
  public:
@@ -90,13 +112,20 @@ class Sampler final : public ob::StateSampler {
 
 class Validator final : public ob::MotionValidator {
  public:
-  Validator(const ob::SpaceInformationPtr& space, const Ground& ground, const RouteOptions& options, const Edge& edge)
-      : ob::MotionValidator(space), ground_(ground), options_(options), edge_(edge) {}
-  bool allowed(State state) const { return options_.stability ? ground_.stable(state) : ground_.stands(state); }
+  Validator(const ob::SpaceInformationPtr& information, const Space& space, const Ground& ground, const Edge& edge)
+      : ob::MotionValidator(information),
+        space_(space),
+        ground_(ground),
+        edge_(edge),
+        copies_(static_cast<std::size_t>(ground.states())) {}
   bool checkMotion(const ob::State* a, const ob::State* b) const override {
-    const auto beside = ground_.adjacent(node_of(read(a)));
-    return std::binary_search(beside.begin(), beside.end(), node_of(read(b))) && allowed(read(b)) &&
-           (!edge_ || edge_(read(a), read(b)));
+    const State from = read(a), to = read(b);
+    const bool added = space_.take_steered();
+    int& copies = copies_[static_cast<std::size_t>(to)];
+    if (added && copies == kCopies) return false;
+    if (!beside(ground_, from, to) || !space_.allowed(to) || (edge_ && !edge_(from, to))) return false;
+    if (added) ++copies;
+    return true;
   }
   bool checkMotion(const ob::State* a, const ob::State* b, std::pair<ob::State*, double>& last) const override {
     const bool valid = checkMotion(a, b);
@@ -105,17 +134,19 @@ class Validator final : public ob::MotionValidator {
   }
 
  private:
+  const Space& space_;
   const Ground& ground_;
-  const RouteOptions& options_;
   const Edge& edge_;
+  mutable std::vector<int> copies_;
 };
 
 class Cost final : public ob::OptimizationObjective {
  public:
-  Cost(const ob::SpaceInformationPtr& space, const Ground& ground, const RouteOptions& options)
-      : ob::OptimizationObjective(space), ground_(ground), options_(options) {}
+  Cost(const ob::SpaceInformationPtr& information, const Ground& ground, const RouteOptions& options)
+      : ob::OptimizationObjective(information), ground_(ground), options_(options) {}
   ob::Cost stateCost(const ob::State*) const override { return ob::Cost(0.0); }
   ob::Cost motionCost(const ob::State* a, const ob::State* b) const override {
+    if (!beside(ground_, read(a), read(b))) return infiniteCost();
     return ob::Cost(step_cost(ground_, read(a), read(b), options_));
   }
 
@@ -145,14 +176,14 @@ Route rrt_route(const Ground& ground, State from, int goal_node, const RouteOpti
   const long before = ground.postures_made();
   Route out;
   out.bound = (ground.place(goal_node) - ground.place(node_of(from))).norm();
-  const auto space = std::make_shared<Space>(ground);
+  const auto space = std::make_shared<Space>(ground, options);
   long drawn = 0;
   space->setStateSamplerAllocator(
       [&](const ob::StateSpace* of) { return std::make_shared<Sampler>(of, ground, goal_node, random, drawn); });
   const auto information = std::make_shared<ob::SpaceInformation>(space);
-  const auto validator = std::make_shared<Validator>(information, ground, options, edge);
+  const auto validator = std::make_shared<Validator>(information, *space, ground, edge);
   information->setMotionValidator(validator);
-  information->setStateValidityChecker([&](const ob::State* state) { return validator->allowed(read(state)); });
+  information->setStateValidityChecker([&](const ob::State* state) { return space->allowed(read(state)); });
   information->setup();
 
   const auto problem = std::make_shared<ob::ProblemDefinition>(information);
