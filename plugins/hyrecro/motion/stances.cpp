@@ -16,7 +16,7 @@ constexpr SolutionGrid kGrid{0.15, 0.02, 0.2};
 // Of a grid at most.
 constexpr std::size_t kMost = 8;
 // Of exact reachability at most.
-constexpr int kMostOffered = 64;
+constexpr int kMostOffered = 32;
 // s: what a stance without room to lift costs.
 constexpr double kNoRoom = 20.0;
 
@@ -84,11 +84,7 @@ std::vector<Stance> stances_at(const Surroundings& around, Reachability& exact, 
   const Isometry3d pose = around.holding.inverse(Eigen::Isometry) * placed;
   const Surroundings from_placed{model, around.obstacles, placed, around.clearance, around.stop};
   std::vector<Stance> out = of_grid(around, from_placed, pose, last, height);
-  const Stance as_given = stance_of(model, given, height);
-  const bool given_lifts = as_given.lands && (as_given.leaves || last) &&
-                           !judge_posture(around, from_actuators(model, as_given.landing)) &&
-                           (last || !judge_posture(from_placed, from_actuators(model, as_given.leaving)));
-  if (out.empty() && !given_lifts) {
+  if (out.empty()) {
     // At the border of the workspace the grid finds nothing; exact reachability does, from above.
     if (!free_foot_liftable(exact, pose, height)) {
       reason = "the foot cannot be set down: at its place it cannot be lifted, reachability ends there";
@@ -103,7 +99,7 @@ std::vector<Stance> stances_at(const Surroundings& around, Reachability& exact, 
       if (const auto c = from_above(from_placed, exact, pose.inverse(Eigen::Isometry), height))
         out.push_back(stance_of(model, swapped(*c), height));
   }
-  out.push_back(as_given);
+  out.push_back(stance_of(model, given, height));
   return out;
 }
 
