@@ -34,19 +34,29 @@ NearGround::NearGround(const terrain::Surface& surface, const collision::Bounds&
       k = planes_;
     }
     triangle_[triangles_] = t;
+    bounds_[triangles_] = collision::bounds_of(
+        collision::Patch{std::array<Vector3d, 3>{terrain.corner(t, 0), terrain.corner(t, 1), terrain.corner(t, 2)}});
     plane_of_[triangles_++] = static_cast<std::uint8_t>(k - 1);
     return true;
   });
+}
+
+bool NearGround::above(std::span<const Kept> points) const {
+  if (too_many_) return false;
+  for (std::size_t k = 0; k < planes_; ++k)
+    for (const Kept& each : points)
+      if (plane_[k].normal.dot(each.point) - plane_[k].offset < each.keep) return false;
+  return true;
 }
 
 template <class Visit>
 bool NearGround::visit(const collision::Bounds& around, const std::array<bool, kMostPlanes>& planes, Visit&& visit) const {
   const terrain::Terrain& terrain = surface_->terrain();
   for (std::size_t i = 0; i < triangles_; ++i) {
-    if (!planes[plane_of_[i]]) continue;
+    if (!planes[plane_of_[i]] || !around.intersects(bounds_[i])) continue;
     const int t = triangle_[i];
     const std::array<Vector3d, 3> corners{terrain.corner(t, 0), terrain.corner(t, 1), terrain.corner(t, 2)};
-    if (around.intersects(collision::bounds_of(collision::Patch{corners})) && !visit(corners, plane_[plane_of_[i]])) return false;
+    if (!visit(corners, plane_[plane_of_[i]])) return false;
   }
   return true;
 }

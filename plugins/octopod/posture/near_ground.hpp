@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "octopod/model/body.hpp"
 #include "terrain/surface.hpp"
@@ -20,6 +21,14 @@ class NearGround {
   // As of the surface: true if nearer than `clearance` (m, >= 0) to a triangle, or cut by one.
   bool nearer(const collision::Capsule& capsule, double clearance) const;
   bool nearer(const collision::Box& box, double clearance) const;
+  // Whether all points are above all planes around, each by what it must keep, m. Then nothing between them, and nothing as thick
+  // as that, touches the ground; if not, it may be free all the same.
+  struct Kept {
+    Vector3d point;
+    double keep;
+  };
+  bool above(std::span<const Kept> points) const;
+
   // Whether the line from a sole on (or off) the ground up to its ankle comes from outside and cuts no other ground: of triangles
   // that meet under the sole the ankle is above all where they make a hollow, above one where they make a ridge.
   bool foot_free(const Vector3d& sole, const Vector3d& ankle) const;
@@ -41,6 +50,7 @@ class NearGround {
   bool too_many_ = false;  // then the tree is asked
   std::array<Plane, kMostPlanes> plane_;
   std::array<int, kMost> triangle_;
+  std::array<collision::Bounds, kMost> bounds_;
   std::array<std::uint8_t, kMost> plane_of_;
 };
 

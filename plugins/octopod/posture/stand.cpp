@@ -85,25 +85,21 @@ Hindrance complete(const Model& model, const terrain::Surface& surface, double c
   return built.hindrance = Hindrance::kNone;
 }
 
-Built stand(const Model& model, const terrain::Surface& surface, const Vector3d& node, const Vector3d& normal, int orientation,
-            double clearance) {
-  if (orientation >= kAxes) return turned(model, stand(model, surface, node, normal, orientation - kAxes, clearance));
+Built stand_with(const Model& model, const terrain::Surface& surface, Pair pair, double clearance) {
   Built out;
-  std::optional<Pair> pair = bodies_over(model, surface, node, normal, orientation);
   std::array<Vector3d, kLegs> feet;
-  for (int leg = 0; pair && leg < kLegs; ++leg) {
+  for (int leg = 0; leg < kLegs; ++leg) {
     const auto i = static_cast<std::size_t>(leg);
-    const terrain::Nearest nearest = surface.nearest(foot_in_the_air(model, *pair, leg));
-    if (nearest.triangle < 0) pair.reset();
+    const terrain::Nearest nearest = surface.nearest(foot_in_the_air(model, pair, leg));
+    if (nearest.triangle < 0) {
+      out.hindrance = Hindrance::kNoGround;
+      return out;
+    }
     feet[i] = nearest.point;
     out.standing.feet[i] = {nearest.point, surface.terrain().normals[static_cast<std::size_t>(nearest.triangle)], nearest.triangle};
   }
-  if (!pair) {
-    out.hindrance = Hindrance::kNoGround;
-    return out;
-  }
-  const Miss miss = settle(model, feet, kFarthest * model.height, *pair);
-  const std::optional<Coordinates> at = miss.leg < 0 ? reaching(model, *pair, feet) : std::nullopt;
+  const Miss miss = settle(model, feet, kFarthest * model.height, pair);
+  const std::optional<Coordinates> at = miss.leg < 0 ? reaching(model, pair, feet) : std::nullopt;
   if (!at) {
     out.hindrance = Hindrance::kOutOfReach;
     out.leg = miss.leg;
@@ -113,6 +109,14 @@ Built stand(const Model& model, const terrain::Surface& surface, const Vector3d&
   out.standing.at = *at;
   complete(model, surface, clearance, out);
   return out;
+}
+
+Built stand(const Model& model, const terrain::Surface& surface, const Vector3d& node, const Vector3d& normal, int orientation,
+            double clearance) {
+  if (orientation >= kAxes) return turned(model, stand(model, surface, node, normal, orientation - kAxes, clearance));
+  const std::optional<Pair> pair = bodies_over(model, surface, node, normal, orientation);
+  if (!pair) return {.standing = {}, .hindrance = Hindrance::kNoGround, .leg = -1, .figure = 0.0};
+  return stand_with(model, surface, *pair, clearance);
 }
 
 }  // namespace foothold::octopod

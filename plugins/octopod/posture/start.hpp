@@ -1,4 +1,5 @@
-// The steps of standing up that our method and the paper's share (section 5.1). Private to posture/.
+// The steps of standing up (section 5.1), for whoever stands otherwise than over a node: the paper's method, and stops on the way
+// from posture to posture.
 #pragma once
 
 #include "octopod/posture/pair.hpp"
@@ -18,5 +19,8 @@ Vector3d foot_in_the_air(const Model& model, const Pair& pair, int leg);
 // Of a robot whose coordinates and feet are there: rear module, centre of mass, residual; and whether bodies or legs touch the
 // ground.
 Hindrance complete(const Model& model, const terrain::Surface& surface, double clearance, Built& built);
+
+// All of stand() once the bodies are placed.
+Built stand_with(const Model& model, const terrain::Surface& surface, Pair pair, double clearance);
 
 }  // namespace foothold::octopod

@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kDeepest = 6;         // halvings of a phase or of a part of a swing
 constexpr double kKeep = 1e-6;      // m, kept besides the clearance
+constexpr double kOn = 1e-9;        // m: soles this deep are on the ground
 constexpr double kTouch = 1e-6;     // m
 constexpr double kLeastRise = 0.2;  // cosine between a foot's way up and every normal of what it stands on
 
@@ -26,11 +27,14 @@ bool Passage::leg_clear(int leg, bool moved, double begin, double end, int depth
   const Vector3d shoulder_at = shoulder(model, pair, leg);
   const Vector3d knee_at = to_world(pair, leg, knee(model, from_shoulder(pair, leg, foot)));
   const Vector3d ankle = ankle_of(model, foot, knee_at);
-  if (!ground_.foot_free(foot, ankle)) return false;
   const double part = end - begin, turn = part * path_.turn(module_of(leg)), shifted = part * shoulder_way(leg);
   const double way = (shifted + model.femur * turn + knee_rate(model, a, b) * (shifted + model.reach() * turn)) / 2;
+  const double keep = setting_->options.clearance + kKeep, thick = model.leg_radius + keep;
+  const std::array<NearGround::Kept, 4> points{
+      {{shoulder_at, thick + shifted / 2}, {knee_at, thick + way}, {ankle, thick + way * model.foot / model.tibia}, {foot, -kOn}}};
+  if (ground_.above(points)) return true;
+  if (!ground_.foot_free(foot, ankle)) return false;
   const collision::Capsule femur{shoulder_at, knee_at, model.leg_radius}, tibia{knee_at, ankle, model.leg_radius};
-  const double keep = setting_->options.clearance + kKeep;
   if (!ground_.nearer(femur, keep + way) && !ground_.nearer(tibia, keep + way)) return true;
   if (depth == kDeepest || ground_.nearer(femur, keep) || ground_.nearer(tibia, keep)) return false;
   return leg_clear(leg, moved, begin, (begin + end) / 2, depth + 1) && leg_clear(leg, moved, (begin + end) / 2, end, depth + 1);
@@ -68,9 +72,19 @@ bool Passage::swing_clear(const Pair& pair, int leg, const Vector3d& from, const
   const Vector3d shoulder_at = shoulder(model, pair, leg), knee_at = to_world(pair, leg, knee(model, between(a, b, 0.5)));
   const Vector3d ankle = ankle_of(model, foot, knee_at);
   const double half = (to - from).norm() / 2, way = half * knee_rate(model, a, b);
+  const double keep = setting_->options.clearance + kKeep, thick = model.leg_radius + keep, larger = std::max(way, half);
+  const double of_foot = model.foot / model.tibia;
+  const std::array<NearGround::Kept, 5> points{{{shoulder_at, thick},
+                                                {knee_at, thick + way},
+                                                {ankle, thick + of_foot * way + (1 - of_foot) * half},
+                                                {from, in_the_air ? kKeep : -kOn},
+                                                {to, in_the_air ? kKeep : -kOn}}};
+  if (ground_.above(points)) {
+    spread = std::max(spread, (knee_at - knee_middle).norm() + way);
+    return true;
+  }
   const collision::Capsule femur{shoulder_at, knee_at, model.leg_radius}, tibia{knee_at, ankle, model.leg_radius};
   const collision::Capsule sole{foot, ankle, 0.0};
-  const double keep = setting_->options.clearance + kKeep, larger = std::max(way, half);
   if (!ground_.foot_free(foot, ankle)) return false;
   if (!ground_.nearer(femur, keep + way) && !ground_.nearer(tibia, keep + larger) &&
       (!in_the_air || !ground_.nearer(sole, kKeep + larger))) {

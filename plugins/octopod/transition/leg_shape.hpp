@@ -13,8 +13,11 @@ struct FromShoulder {
   double out = 0.0, forth = 0.0, up = 0.0;
   double distance() const { return std::sqrt(out * out + forth * forth + up * up); }
   // In the leg's plane, from the femur's joint: along the plane (negative: back under the body).
-  double along(const Model& model) const { return std::copysign(std::hypot(out, forth), out) - model.coxa; }
-  double from_hip(const Model& model) const { return std::hypot(along(model), up); }
+  double along(const Model& model) const { return std::copysign(std::sqrt(out * out + forth * forth), out) - model.coxa; }
+  double from_hip(const Model& model) const {
+    const double x = along(model);
+    return std::sqrt(x * x + up * up);
+  }
 };
 
 inline FromShoulder between(const FromShoulder& a, const FromShoulder& b, double part) {
@@ -43,7 +46,7 @@ inline bool may_be_between(const Model& model, const FromShoulder& a, const From
 
 // The knee seen from the shoulder (out, forth, up). Precondition: may_be.
 inline FromShoulder knee(const Model& model, const FromShoulder& foot) {
-  const double level = std::copysign(std::hypot(foot.out, foot.forth), foot.out);
+  const double level = std::copysign(std::sqrt(foot.out * foot.out + foot.forth * foot.forth), foot.out);
   const double x = foot.along(model), squared = x * x + foot.up * foot.up, distance = std::sqrt(squared);
   const double along = (squared + model.femur * model.femur - model.tibia * model.tibia) / (2 * distance);
   const double across = std::sqrt(std::max(0.0, model.femur * model.femur - along * along));

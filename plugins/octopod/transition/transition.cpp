@@ -132,6 +132,7 @@ std::optional<Transition> transition(const Model& model, const terrain::Surface&
   if (!order) return std::nullopt;
 
   Transition out;
+  out.to = to;
   out.least_margin = margin(setting, passage, equilibrium, 0, -1, 0);
   Walker walker{model, passage.bodies(), {}};
   for (int leg = 0; leg < kLegs; ++leg) walker.feet[static_cast<std::size_t>(leg)] = passage.footing(leg, false).point;

@@ -24,6 +24,7 @@ struct Phase {
 };
 
 struct Transition {
+  Standing to;  // where it ends
   std::vector<Phase> phases;
   double least_margin = 0.0;  // friction left: given friction less the critical one, least over all stances
 };
@@ -47,16 +48,33 @@ inline TransitionOptions transition_options(const Ground& ground, double swing_h
 // thread.
 std::optional<Transition> transition(const Model& model, const terrain::Surface& surface, const TransitionOptions& options,
                                      const Standing& from, const Standing& to, TransitionFailure* failure = nullptr);
-// The same yes or no, without the way. Used by the search.
+// The same yes or no, without the way.
 bool has_transition(const Model& model, const terrain::Surface& surface, const TransitionOptions& options, const Standing& from,
                     const Standing& to);
 
+// Over stops where footholds are too far apart for one go, as in a turn by 45 degrees: the bodies half way between, feet down to
+// the nearest points there, in equilibrium; then each half likewise, up to eight parts. Each part is a step of its own, from the
+// stop before to its `to`. Empty if there is none; `failure` then tells why the direct one is not.
+std::vector<Transition> transitions(const Model& model, const terrain::Surface& surface, const TransitionOptions& options,
+                                    const Standing& from, const Standing& to, TransitionFailure* failure = nullptr);
+// The same yes or no. Used by the search.
+bool has_transitions(const Model& model, const terrain::Surface& surface, const TransitionOptions& options, const Standing& from,
+                     const Standing& to);
+
+// With the options of a ground.
 inline std::optional<Transition> transition(const Ground& ground, const Standing& from, const Standing& to, double swing_height,
                                             TransitionFailure* failure = nullptr) {
   return transition(ground.model(), ground.surface(), transition_options(ground, swing_height), from, to, failure);
 }
 inline bool has_transition(const Ground& ground, const Standing& from, const Standing& to, double swing_height) {
   return has_transition(ground.model(), ground.surface(), transition_options(ground, swing_height), from, to);
+}
+inline std::vector<Transition> transitions(const Ground& ground, const Standing& from, const Standing& to, double swing_height,
+                                           TransitionFailure* failure = nullptr) {
+  return transitions(ground.model(), ground.surface(), transition_options(ground, swing_height), from, to, failure);
+}
+inline bool has_transitions(const Ground& ground, const Standing& from, const Standing& to, double swing_height) {
+  return has_transitions(ground.model(), ground.surface(), transition_options(ground, swing_height), from, to);
 }
 
 // As the interface wants it: times within the robot's speeds, joints linear between the points.

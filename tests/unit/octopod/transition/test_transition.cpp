@@ -119,6 +119,41 @@ TEST(OctopodTransition, ThePluginsJudgeTakesThemAll) {
   EXPECT_GE(judged, 5);
 }
 
+TEST(OctopodTransitions, ATurnTakesStopsEachOfWhichIsAStepThatTheJudgeTakes) {
+  const auto slope = slope_ground(0.25, 1.0), rough = bumpy_ground(0.02, 12);
+  for (const TestGround* ground : {slope.get(), rough.get()}) {
+    const auto from = stand_at(*ground, 0.1, 0.0, 6), to = stand_at(*ground, 0.16, 0.03, 7);
+    ASSERT_TRUE(from && to);
+    EXPECT_FALSE(has_transition(octopod(), ground->surface, {}, *from, *to)) << "the outer feet move by 0.24 m";
+    EXPECT_TRUE(has_transitions(octopod(), ground->surface, {}, *from, *to));
+    const auto parts = transitions(octopod(), ground->surface, {}, *from, *to);
+    ASSERT_GE(parts.size(), 2u);
+    Standing before = *from;
+    for (const Transition& part : parts) {
+      expect_good(*ground, {before, part.to}, part, false);
+      Posture stood = to_posture(before.at);
+      stood.stance = step_to(before, {}).placed;
+      const StepVerdict verdict =
+          check_step(octopod(), ground->surface, step_to(part.to, to_motion(octopod(), part)), stood, CheckOptions{});
+      EXPECT_TRUE(verdict.accepted) << verdict.reason;
+      before = part.to;
+    }
+    EXPECT_EQ(before.at.legs, to->at.legs);
+    EXPECT_EQ(before.at.front.matrix(), to->at.front.matrix());
+  }
+}
+
+TEST(OctopodTransitions, OneGoWhereOneIsEnoughAndNoneWhereNoStopHelps) {
+  const auto level = level_ground();
+  const auto here = stand_at(*level, 0, 0, 0), near = stand_at(*level, 0.08, 0, 0), far = stand_at(*level, 0.4, 0, 0);
+  EXPECT_EQ(transitions(octopod(), level->surface, {}, *here, *near).size(), 1u);
+  EXPECT_GE(transitions(octopod(), level->surface, {}, *here, *far).size(), 2u);
+  TransitionFailure failure;
+  EXPECT_TRUE(transitions(octopod(), level->surface, {.swing_height = 0.2}, *here, *near, &failure).empty());
+  EXPECT_FALSE(has_transitions(octopod(), level->surface, {.swing_height = 0.2}, *here, *near));
+  EXPECT_FALSE(failure.because.empty());
+}
+
 TEST(OctopodTransition, FeetTooFarApartAreRefusedWithTheLeg) {
   const auto level = level_ground();
   const auto here = stand_at(*level, 0, 0, 0), there = stand_at(*level, 0.5, 0, 0);
