@@ -67,6 +67,8 @@ Terrain make_terrain(mesh::TriangleMesh mesh, std::string description = "");
 // What parse_terrain() reads back as the same terrain (numbers read back exactly).
 std::string to_yaml(const Terrain& terrain);
 
+// The paper proposes, for slivers, to part the longest side in N and join the parts to the opposite corner; halves, again and again
+// at what is then the longest side, never bring the least angle below half of what it was.
 enum class Split : std::uint8_t {
   kMidpoint,     // the paper's: 1 -> 4 by the midpoints of the sides, each triangle for itself
   kSlivers,      // the same, but triangles whose longest side is more than kSliver times their height are halved at that side

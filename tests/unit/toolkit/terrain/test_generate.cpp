@@ -134,6 +134,26 @@ TEST(Generate, MakesADitchThatIsDeepButForItsCrossing) {
   EXPECT_GT(shallowest, -0.15);
 }
 
+// From one bank to the other over gentle triangles; the rest of the ditch is too steep.
+TEST(Generate, MakesADitchThatCanBeCrossed) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const Terrain terrain = generate(Family::kDitch, {seed, 4.0, 0.16});
+    const Surface surface(terrain);
+    std::vector<bool> seen(terrain.size(), false);
+    std::vector<int> open{surface.beneath({-1.5, 0.0, 2.0}).value().triangle};
+    double steepest = 0.0;
+    for (std::size_t k = 0; k < open.size(); ++k)
+      for (const int n : terrain.neighbours(open[k])) {
+        if (seen[static_cast<std::size_t>(n)]) continue;
+        seen[static_cast<std::size_t>(n)] = true;
+        steepest = std::max(steepest, slope(terrain, n));
+        if (slope(terrain, n) < kSlidesOnPyramid) open.push_back(n);
+      }
+    EXPECT_TRUE(seen[static_cast<std::size_t>(surface.beneath({1.5, 0.0, 2.0}).value().triangle)]) << "seed " << seed;
+    EXPECT_GT(steepest, kSlides + 5.0 * kDegree) << "seed " << seed;
+  }
+}
+
 TEST(Generate, RefusesOptionsOutOfRange) {
   EXPECT_THROW(generate(Family::kBoulders, {1, 0.5, 0.1}), std::invalid_argument);
   EXPECT_THROW(generate(Family::kBoulders, {1, 101.0, 1.0}), std::invalid_argument);
