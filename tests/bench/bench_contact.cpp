@@ -24,6 +24,7 @@ using foothold::bench::percentile;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kEdges = 10, kContacts = 8;
+constexpr std::size_t kBlock = 100;
 constexpr double kApart = 0.005;  // of neighbouring stances, m and rad
 
 struct Case {
@@ -123,8 +124,9 @@ int main(int count, char** words) {
     methods[m].verdicts.resize(all.size());
   }
   for (int pass = 0; pass < passes; ++pass)
-    for (std::size_t i = 0; i < all.size(); ++i)
-      for (Method& m : methods) m.time(all[i], i);
+    for (std::size_t block = 0; block < all.size(); block += kBlock)
+      for (Method& m : methods)
+        for (std::size_t i = block; i < std::min(all.size(), block + kBlock); ++i) m.time(all[i], i);
 
   std::printf("%zu stances of %d contacts, %d passes, us\n%-34s %9s %9s %9s %9s\n", all.size(), kContacts, passes, "", "median",
               "mean", "p99", "worst");

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "contact/certificate.hpp"
 #include "contact/projection.hpp"
@@ -14,7 +15,8 @@ struct Equilibrium::Work {
   const simplex::Kernel& kernel = simplex::kernel();
   simplex::Problem problem;
   Verdict verdict;
-  int warm = -1;  // contacts of the last stance, whose basis is kept; -1: none
+  bool balanced = false;  // the basis is that of a stable verdict
+  int warm = -1;          // contacts of the last stance, whose basis is kept; -1: none
 };
 
 namespace {
@@ -54,6 +56,18 @@ Equilibrium& Equilibrium::operator=(Equilibrium&&) noexcept = default;
 
 void Equilibrium::forget() { work_->warm = -1; }
 
+bool Equilibrium::reaches() const { return work_->balanced; }
+
+Reach Equilibrium::reach(const Vector6d& h) const {
+  if (!work_->balanced) throw std::logic_error("reach() is for a stance that was judged stable");
+  const double length = work_->problem.length;
+  std::array<double, 6> y{};
+  Reach out;
+  out.length = work_->kernel.reach(work_->problem, {h[0], h[1], h[2], h[3] / length, h[4] / length, h[5] / length}, y);
+  if (std::isfinite(out.length)) out.supporting << y[0], y[1], y[2], y[3] / length, y[4] / length, y[5] / length;
+  return out;
+}
+
 FrictionCone Equilibrium::cone() const { return {work_->problem.edges}; }
 
 const Verdict& Equilibrium::judge(std::span<const Contact> contacts, const Vector3d& com, double mu) {
@@ -63,6 +77,7 @@ const Verdict& Equilibrium::judge(std::span<const Contact> contacts, const Vecto
   const auto count = static_cast<int>(contacts.size());
   const bool warm = work_->warm == count;
   work_->warm = -1;
+  work_->balanced = false;
   problem.groups.resize((contacts.size() + simplex::kLanes - 1) / simplex::kLanes);
   problem.mu = mu;
   const bool filled = kernel.fill(problem, contacts, com);
@@ -82,7 +97,7 @@ const Verdict& Equilibrium::judge(std::span<const Contact> contacts, const Vecto
     verdict.pivots += problem.pivots;
     return verdict;
   }
-  verdict.stable = outcome == simplex::Outcome::kBalanced;
+  verdict.stable = work_->balanced = outcome == simplex::Outcome::kBalanced;
   verdict.proved = true;
   verdict.pivots = problem.pivots;
   if (verdict.stable) {

@@ -26,6 +26,14 @@ struct Verdict {
   int pivots = 0;  // steps of the simplex method
 };
 
+// How far the contacts hold more than the weight.
+struct Reach {
+  double length = 0.0;  // the greatest t for which w + t h is held; infinity if any is
+  // If finite, y: y.h = 1 and y.(f, r x f) <= 0 for every f of every cone, within 1e-10; so no wrench v with y.v > 0 is held. Units
+  // as Verdict::separating.
+  Vector6d supporting = Vector6d::Zero();
+};
+
 // A primal simplex method on the six rows of the balance. Columns (directions on the cones) are never written down: the best of
 // each cone is found in closed form, so that a pyramid of any number of edges and the circular cone cost about the same.
 // Deterministic: the same calls in the same order give the same bytes on any machine.
@@ -43,6 +51,12 @@ class Equilibrium {
   // The verdict is this object's: it stays until the next call. `com`: centre of mass, m, world frame. No contacts: not stable.
   // Throws std::invalid_argument if mu is negative or anything is not finite, or if a normal is not of unit length within 1e-6.
   const Verdict& judge(std::span<const Contact> contacts, const Vector3d& com, double mu);
+
+  // Of the stance judged last, for a wrench h about its centre of mass (weights, weights x m; not zero). Throws std::logic_error if
+  // the last verdict was not `stable`, or was left to the second judge at the border of stability (see reaches()).
+  [[nodiscard]] Reach reach(const Vector6d& h) const;
+  // Whether reach() may be asked now.
+  [[nodiscard]] bool reaches() const;
 
   // The next question starts from nothing, as the first one did: its answer no longer depends on what was asked before.
   void forget();

@@ -27,6 +27,7 @@ constexpr double kOverhang = 0.5e-5;     // greatest y.g of one, as a part of y.
 // is as good as the best one is for the cone as it is, and the method ends instead of making columns ever closer to each other.
 constexpr double kWidening = 2e-10;
 constexpr double kRoundoff = 1e-14;  // of a price, as a part of |y|
+constexpr double kSettled = 1e-11;   // of a price beyond which phase two does not go on, as a part of |y|
 constexpr double kUnit = 2e-6;       // of the square of a normal's length
 constexpr int kPivotsWithPerturbation = 200, kPivotsWithout = 200;
 

@@ -68,6 +68,9 @@ struct Kernel {
   Outcome (*solve)(Problem& problem);
   // Forces of the basis, one a contact; returns the greatest number of B x - w.
   double (*forces)(const Problem& problem, std::span<Vector3d> out);
+  // After kBalanced: the greatest t for which the contacts still hold w + t h; infinity if all. y: what supports their cone there,
+  // y.h = 1.
+  double (*reach)(const Problem& problem, const std::array<double, 6>& h, std::array<double, 6>& y);
 };
 
 // The widest one that this machine runs; or, for tests, that of 2, 4 or 8 numbers a vector, null if it does not run here.
