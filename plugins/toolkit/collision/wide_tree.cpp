@@ -1,3 +1,4 @@
+// How the tree is made, and numbers rounded outwards.
 #include "collision/wide_tree.hpp"
 
 #include <array>

@@ -1,3 +1,4 @@
+// Numbers, vectors and words as YAML.
 #include "geometry/scene_text.hpp"
 
 #include <charconv>

@@ -1,3 +1,4 @@
+// By the regions of corners, sides and inside.
 #include <Eigen/Geometry>
 
 #include "terrain/surface.hpp"
