@@ -3,16 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
-#include "octopod/check/balance.hpp"
+#include "octopod/check/carrying.hpp"
 
 namespace foothold::octopod {
 namespace {
 
 constexpr double kLook = 0.1;            // m: farther away than that nothing matters
 constexpr double kSpeedRounding = 1e-6;  // part of the speed limit
-constexpr double kAngleRounding = 1e-9;  // m, of clearances
+constexpr double kRounding = 1e-9;       // m, of clearances
 constexpr int kDeepest = 14;             // halvings of a piece
 
 // Where a foot is at a point of the motion.
@@ -56,76 +57,143 @@ void judge_speed(const Setting& setting, const Point& a, const Point& b) {
   }
 }
 
-// The feet that carry over the whole piece hold the robot wherever its centre of mass can be.
-void judge_balance(const Setting& setting, const Point& a, const Point& b, const Feet& from, const Feet& to, const Ways& ways) {
-  std::vector<contact::Contact> carrying;
-  std::string names;
-  for (std::size_t k = 0; k < kLegs; ++k) {
-    if (!meets(a.feet[k], b.feet[k])) continue;
-    const bool old = a.feet[k] == Foothold::kFrom || b.feet[k] == Foothold::kFrom;
-    carrying.push_back(old ? from[k] : to[k]);
-    names += " " + limb(static_cast<int>(k));
-  }
-  const double side = std::sqrt(2.0) * ways.bulge_of_centre_of_mass();
-  for (const Point* end : {&a, &b})
-    for (const auto& [x, y] : {std::pair{side, 0.0}, {-side, 0.0}, {0.0, side}, {0.0, -side}}) {
-      const Vector3d at = end->at.centre_of_mass + Vector3d(x, y, 0.0);
-      if (!balanced(carrying, at, setting.options.friction, setting.cone()))
-        refuse(when(a, b), ": no equilibrium on", names.empty() ? " no feet" : names, " at friction ", setting.options.friction);
-    }
-}
+// What is known of a distance (m) at the last point: not more than it is.
+struct Bound {
+  double known = 0.0;
+  bool exact = false;
+};
 
-// One body or foot over a piece: never nearer than `least`, from distances at the ends less half the way; else in halves.
+// From `a` to `b`, never nearer than `least`: by distances at the ends less half the way between them; else in halves.
 template <class Distance, class Way>
-void judge_piece(const Setting& setting, const Pose& a, const Pose& b, double at_a, double at_b, double least, int depth,
-                 const Distance& distance_at, const Way& way_of, const std::string& what) {
-  if (0.5 * (at_a + at_b - way_of(Ways(setting.model, a, b))) >= least) return;
+void judge_piece(const Setting& setting, const Pose& a, const Pose& b, double at_a, double at_b, double way, double least,
+                 int depth, const Distance& distance_at, const Way& way_of, const std::string& what) {
+  if (0.5 * (at_a + at_b - way) >= least) return;
   if (depth == kDeepest) refuse(what, " comes nearer to the ground than ", least, " m, or so near that it cannot be ruled out");
   const Pose middle = between(a, b, 0.5);
   const double at_middle = distance_at(skeleton(setting.model, middle.base, middle.joints));
   if (!(at_middle >= least)) refuse(what, " comes to ", at_middle, " m to the ground, ", least, " m must be kept");
-  judge_piece(setting, a, middle, at_a, at_middle, least, depth + 1, distance_at, way_of, what);
-  judge_piece(setting, middle, b, at_middle, at_b, least, depth + 1, distance_at, way_of, what);
+  judge_piece(setting, a, middle, at_a, at_middle, way_of(Ways(setting.model, a, middle)), least, depth + 1, distance_at, way_of,
+              what);
+  judge_piece(setting, middle, b, at_middle, at_b, way_of(Ways(setting.model, middle, b)), least, depth + 1, distance_at, way_of,
+              what);
 }
 
-void judge_bodies(const Setting& setting, const Point& a, const Point& b) {
-  const Ways ways(setting.model, a.pose, b.pose);
-  const double least = std::max(setting.options.clearance - kAngleRounding, kAngleRounding);
-  for (int body = 0; body < kBodies; ++body) {
-    const auto away = [&](const Skeleton& at) { return body_distance(setting.model, at, body, setting.triangles, kLook); };
-    const auto way = [&](const Ways& piece) { return piece.of_body(body); };
-    judge_piece(setting, a.pose, b.pose, away(a.at), away(b.at), least, 0, away, way, when(a, b) + ": " + body_name(body));
+// Takes the bound on from `a` to `b`. What was far away needs no look until its ways have used that up, down to `needed` (m); what
+// comes nearer is looked at. Returns the distance at `b` where it was looked at, else infinity.
+template <class Distance, class Way>
+double judge_bound(Bound& bound, const Setting& setting, const Point& a, const Point& b, const Ways& ways, double least,
+                   double needed, const Distance& distance_at, const Way& way_of, const char* part, const std::string& name) {
+  const double way = way_of(ways);
+  if (bound.known - way >= needed) {
+    bound = {bound.known - way, false};
+    return HUGE_VAL;
   }
+  const double at_a = bound.exact ? bound.known : distance_at(a.at), at_b = distance_at(b.at);
+  const std::string what = when(a, b) + ": " + part + name;
+  if (!(at_b >= least)) refuse(what, " comes to ", at_b, " m to the ground, ", least, " m must be kept");
+  judge_piece(setting, a.pose, b.pose, at_a, at_b, way, least, 0, distance_at, way_of, what);
+  bound = {at_b, true};
+  return at_b;
 }
 
-void judge_foot(const Setting& setting, const Point& a, const Point& b, std::size_t k, const Ways& ways, Course& course) {
-  const std::string what = when(a, b) + ": foot " + limb(static_cast<int>(k));
-  const bool carries = meets(a.feet[k], b.feet[k]);
-  const auto way = [&](const Ways& piece) { return piece.of_foot(static_cast<int>(k)); };
-  const auto away = [&](const Skeleton& at) {
-    const Skeleton::Limb& limb = at.limbs[k];
-    return foot_distance(setting, limb.foot, limb.ankle, kLook);
-  };
-  if (!carries && a.feet[k] != Foothold::kAir && b.feet[k] != Foothold::kAir)
-    refuse(what, " is dragged from one contact to the other");
-  if (!carries) {
-    // Between points of which one is a contact the sole leaves it on a line that it can bulge off only less than it rises.
-    for (const auto& [on, off] : {std::pair{&a, &b}, {&b, &a}}) {
-      if (on->feet[k] == Foothold::kAir) continue;
-      const double height = rise(setting, on->at.limbs[k].foot, off->at.limbs[k].foot);
-      const double bulge = ways.bulge_of_foot(static_cast<int>(k));
-      if (!(height >= 4.0 * bulge)) refuse(what, " leaves or meets the ground at ", height, " m, with a bulge of ", bulge, " m");
+class Walk {
+ public:
+  Walk(const Setting& setting, const Feet& from, const Feet& to) : setting_(setting), feet_{from, to}, carrying_(setting) {
+    for (std::size_t k = 0; k < kLegs; ++k) {
+      seats_[0][k] = seat_of(setting, from[k].point);
+      seats_[1][k] = seat_of(setting, to[k].point);
     }
-  } else {
-    const double slip = ways.bulge_of_foot(static_cast<int>(k));
-    if (!(slip <= kSlip)) refuse(what, " carries, but can be ", slip, " m beside its contact");
-    course.slip = std::max(course.slip, slip);
-    const Vector3d sole = a.at.limbs[k].foot;
-    const auto outside = [&](const Skeleton& at) { return rise(setting, sole, at.limbs[k].ankle); };
-    judge_piece(setting, a.pose, b.pose, outside(a.at), outside(b.at), kAngleRounding, 0, outside, way, what);
   }
-  judge_piece(setting, a.pose, b.pose, away(a.at), away(b.at), kAngleRounding, 0, away, way, what);
-}
+
+  void piece(const Point& a, const Point& b) {
+    judge_speed(setting_, a, b);
+    const Ways ways(setting_.model, a.pose, b.pose);
+    bodies(a, b, ways);
+    std::array<std::uint8_t, kLegs> standing{};
+    Feet contacts;
+    for (std::size_t k = 0; k < kLegs; ++k) {
+      const int seat = foot(a, b, k, ways);
+      standing[k] = static_cast<std::uint8_t>(seat + 1);
+      if (seat >= 0) contacts[k] = feet_[static_cast<std::size_t>(seat)][k];
+    }
+    if (setting_.options.stability)
+      carrying_.add(a.time, b.time, standing, contacts, a.at.centre_of_mass, b.at.centre_of_mass, ways.bulge_of_centre_of_mass());
+  }
+
+  Course finish() {
+    carrying_.finish();
+    return course_;
+  }
+
+ private:
+  void bodies(const Point& a, const Point& b, const Ways& ways) {
+    const double least = std::max(setting_.options.clearance - kRounding, kRounding);
+    for (int body = 0; body < kBodies; ++body) {
+      const auto away = [&](const Skeleton& at) { return body_distance(setting_.model, at, body, setting_.triangles, kLook); };
+      const auto way = [&](const Ways& piece) { return piece.of_body(body); };
+      const double at_b = judge_bound(bodies_[static_cast<std::size_t>(body)], setting_, a, b, ways, least,
+                                      std::max(least, course_.clearance), away, way, "", body_name(body));
+      course_.clearance = std::min(course_.clearance, at_b);
+    }
+  }
+
+  // -1: in the air; else 0 or 1 as it carries on its contact before or after.
+  int foot(const Point& a, const Point& b, std::size_t k, const Ways& ways) {
+    const std::string name = limb(static_cast<int>(k));
+    const bool carries = meets(a.feet[k], b.feet[k]);
+    if (!carries && a.feet[k] != Foothold::kAir && b.feet[k] != Foothold::kAir)
+      refuse(when(a, b), ": foot ", name, " is dragged from one contact to the other");
+    const auto way = [&](const Ways& piece) { return piece.of_foot(static_cast<int>(k)); };
+    const double bulge = ways.bulge_of_foot(static_cast<int>(k));
+    if (!carries && a.feet[k] == Foothold::kAir && b.feet[k] == Foothold::kAir) {
+      if (std::exchange(seated_[k], -1) != -1) distances_[k] = {};
+      const auto away = [&](const Skeleton& at) { return flying_distance(setting_, at.limbs[k].foot, at.limbs[k].ankle, kLook); };
+      judge_bound(distances_[k], setting_, a, b, ways, kRounding, kRounding, away, way, "foot ", name);
+      return -1;
+    }
+    const bool before = a.feet[k] == Foothold::kFrom || b.feet[k] == Foothold::kFrom;
+    const int which = before ? 0 : 1;
+    const Seat& seat = seats_[static_cast<std::size_t>(which)][k];
+    if (std::exchange(seated_[k], which) != which) distances_[k] = rises_[k] = {};
+    const auto beside = [&](const Skeleton& at) { return standing_distance(seat, at.limbs[k].foot, at.limbs[k].ankle, kLook); };
+    judge_bound(distances_[k], setting_, a, b, ways, kRounding, kRounding, beside, way, "foot ", name);
+    if (!carries) {
+      leave(a, b, k, seat, ways.of_foot(static_cast<int>(k)), bulge);
+      return -1;
+    }
+    if (!(bulge <= kSlip)) refuse(when(a, b), ": foot ", name, " carries, but can be ", bulge, " m beside its contact");
+    course_.slip = std::max(course_.slip, bulge);
+    const auto outside = [&](const Skeleton& at) { return rise(seat, at.limbs[k].ankle); };
+    judge_bound(rises_[k], setting_, a, b, ways, kRounding, kRounding, outside, way, "the ankle of foot ", name);
+    return which;
+  }
+
+  // One end of the piece stands on its seat, the other is in the air. The sole goes off its chord by no more than 4 s (1 - s)
+  // bulges at part s of the way, so that one that rises 4 bulges above a plane never goes below it; the ankle stays above the same
+  // plane.
+  void leave(const Point& a, const Point& b, std::size_t k, const Seat& seat, double way, double bulge) {
+    const bool lifts = b.feet[k] == Foothold::kAir;
+    const Skeleton::Limb &on = (lifts ? a : b).at.limbs[k], &off = (lifts ? b : a).at.limbs[k];
+    const auto clears = [&](const Triangle* t) {
+      const auto height = [&](const Vector3d& p) { return t->normal.dot(p - seat.sole); };
+      return height(off.foot) >= 4.0 * bulge && 0.5 * (height(on.ankle) + height(off.ankle) - way) > 0.0;
+    };
+    const bool clear = seat.hollow ? std::all_of(seat.under.begin(), seat.under.end(), clears)
+                                   : std::any_of(seat.under.begin(), seat.under.end(), clears);
+    if (!clear)
+      refuse(when(a, b), ": foot ", limb(static_cast<int>(k)), lifts ? " leaves" : " meets", " its contact at a height of ",
+             rise(seat, off.foot), " m only, with a bulge of ", bulge, " m");
+  }
+
+  const Setting& setting_;
+  std::array<Feet, 2> feet_;
+  std::array<std::array<Seat, kLegs>, 2> seats_;
+  Carrying carrying_;
+  std::array<Bound, kBodies> bodies_;
+  std::array<Bound, kLegs> distances_, rises_;
+  std::array<int, kLegs> seated_{-2, -2, -2, -2, -2, -2, -2, -2};  // which seat the bounds above are of
+  Course course_{kLook, 0.0};
+};
 
 }  // namespace
 
@@ -134,16 +202,17 @@ double judge_clear(const Setting& setting, const Skeleton& at, const std::string
   for (int body = 0; body < kBodies; ++body) {
     const double away = body_distance(setting.model, at, body, setting.triangles, kLook);
     if (!(away > 0.0)) refuse(where, ": ", body_name(body), " cuts the ground");
-    if (!(away >= setting.options.clearance - kAngleRounding))
+    if (!(away >= setting.options.clearance - kRounding))
       refuse(where, ": ", body_name(body), " is ", away, " m from the ground, ", setting.options.clearance, " m must be kept");
     least = std::min(least, away);
   }
   for (std::size_t k = 0; k < kLegs; ++k) {
     const Skeleton::Limb& foot = at.limbs[k];
-    const std::string name = limb(static_cast<int>(k));
-    if (const double up = rise(setting, foot.foot, foot.ankle); !(up > 0.0))
-      refuse(where, ": foot ", name, " comes from below the ground, its ankle is ", -up, " m deep");
-    if (!(foot_distance(setting, foot.foot, foot.ankle, kLook) > 0.0)) refuse(where, ": foot ", name, " cuts the ground");
+    const Seat seat = seat_of(setting, foot.foot);
+    if (const double up = rise(seat, foot.ankle); !(up > 0.0))
+      refuse(where, ": foot ", limb(static_cast<int>(k)), " comes from below the ground, its ankle is ", -up, " m deep");
+    if (!(standing_distance(seat, foot.foot, foot.ankle, kLook) > 0.0))
+      refuse(where, ": foot ", limb(static_cast<int>(k)), " cuts the ground");
   }
   return least;
 }
@@ -155,23 +224,17 @@ Course judge_course(const Setting& setting, const Step& step, const Posture& bef
     for (std::size_t k = 0; k < kJoints; ++k) off = std::max(off, std::abs(point.joints[k] - posture.joints[k]));
     if (!(off <= judge::kSame)) refuse("the motion ", what, " ", off, " m or rad beside the posture");
   };
-  Course course{kLook, 0.0};
+  Walk walk(setting, from, to);
   Point last = point_of(setting, step.motion.front(), from, to);
   same(step.motion.front(), before, "begins");
   if (last.time != 0.0) refuse("the motion begins at ", last.time, " s, not at 0");
   for (std::size_t i = 1; i < step.motion.size(); ++i) {
     Point next = point_of(setting, step.motion[i], from, to);
-    judge_speed(setting, last, next);
-    const Ways ways(setting.model, last.pose, next.pose);
-    if (setting.options.stability) judge_balance(setting, last, next, from, to, ways);
-    judge_bodies(setting, last, next);
-    for (std::size_t k = 0; k < kLegs; ++k) judge_foot(setting, last, next, k, ways, course);
-    for (int body = 0; body < kBodies; ++body)
-      course.clearance = std::min(course.clearance, body_distance(setting.model, next.at, body, setting.triangles, kLook));
+    walk.piece(last, next);
     last = std::move(next);
   }
   same(step.motion.back(), step.after, "ends");
-  return course;
+  return walk.finish();
 }
 
 }  // namespace foothold::octopod

@@ -51,29 +51,44 @@ double judge_closure(const Skeleton& at, const Feet& feet, const std::string& wh
   return most;
 }
 
-double rise(const Setting& setting, const Vector3d& sole, const Vector3d& ankle) {
-  std::vector<const Triangle*> under;
-  for (const Triangle& t : setting.triangles)
-    if (t.bounds.exteriorDistance(sole) <= kTouch && distance(sole, t) <= kTouch) under.push_back(&t);
-  bool hollow = false;
-  double least = HUGE_VAL, most = -HUGE_VAL;
-  for (const Triangle* t : under) {
-    const double height = t->normal.dot(ankle - sole);
-    least = std::min(least, height);
-    most = std::max(most, height);
-    for (const Triangle* other : under)
-      for (const Vector3d& corner : other->corners) hollow = hollow || t->normal.dot(corner - t->corners[0]) > kHollow;
+Seat seat_of(const Setting& setting, const Vector3d& sole) {
+  Seat out;
+  out.sole = sole;
+  const double around = 2.0 * setting.model.foot + kTouch;
+  for (const Triangle& t : setting.triangles) {
+    if (t.bounds.exteriorDistance(sole) > around) continue;
+    const double away = distance(sole, t);
+    if (away <= around) (away <= kTouch ? out.under : out.beside).push_back(&t);
   }
-  return hollow ? least : most;
+  for (const Triangle* t : out.under)
+    for (const Triangle* other : out.under)
+      for (const Vector3d& corner : other->corners) out.hollow = out.hollow || t->normal.dot(corner - t->corners[0]) > kHollow;
+  return out;
 }
 
-double foot_distance(const Setting& setting, const Vector3d& sole, const Vector3d& ankle, double reach) {
+double rise(const Seat& seat, const Vector3d& ankle) {
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (const Triangle* t : seat.under) {
+    const double height = t->normal.dot(ankle - seat.sole);
+    least = std::min(least, height);
+    most = std::max(most, height);
+  }
+  return seat.hollow ? least : most;
+}
+
+double standing_distance(const Seat& seat, const Vector3d& sole, const Vector3d& ankle, double reach) {
   const Vector3d from = sole + kSoleLength * (ankle - sole).normalized();
-  Eigen::AlignedBox3d bounds(from);
+  double least = reach;
+  for (const Triangle* t : seat.beside) least = std::min(least, distance(from, ankle, *t));
+  return least;
+}
+
+double flying_distance(const Setting& setting, const Vector3d& sole, const Vector3d& ankle, double reach) {
+  Eigen::AlignedBox3d bounds(sole);
   bounds.extend(ankle);
   double least = reach;
   for (const Triangle& t : setting.triangles)
-    if (bounds.exteriorDistance(t.bounds) < least && distance(sole, t) > kTouch) least = std::min(least, distance(from, ankle, t));
+    if (bounds.exteriorDistance(t.bounds) < least) least = std::min(least, distance(sole, ankle, t));
   return least;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "contact/contact.hpp"
 #include "judge/refusal.hpp"
@@ -32,13 +33,24 @@ Feet judge_feet(const Setting& setting, std::span<const Contact> stance, const s
 // Each foot, by the joints alone, is where its contact says (1e-6 m). Returns the greatest error, m.
 double judge_closure(const Skeleton& at, const Feet& feet, const std::string& where);
 
-// How a foot stands in its ground: outwards of all triangles that meet under it where the ground is hollow there or flat, of one of
-// them where it is a ridge or a peak. m, height of the ankle; above 0: the foot comes from outside.
-double rise(const Setting& setting, const Vector3d& sole, const Vector3d& ankle);
-
-// The triangles that a foot standing at `sole` does not touch. m, of the foot without its last millimetre.
 inline constexpr double kTouch = 1e-6;       // m
-inline constexpr double kSoleLength = 1e-3;  // m
-double foot_distance(const Setting& setting, const Vector3d& sole, const Vector3d& ankle, double reach);
+inline constexpr double kSoleLength = 1e-3;  // m, of a standing foot: so near to its contact other ground is not told from its own
+
+// Where a foot stands, and the ground there. Borrows the setting's triangles.
+struct Seat {
+  Vector3d sole = Vector3d::Zero();
+  std::vector<const Triangle*> under;   // those that it touches
+  std::vector<const Triangle*> beside;  // others that the foot can come near to
+  bool hollow = false;                  // some of `under` rise above the planes of others; else flat, a ridge or a peak
+};
+Seat seat_of(const Setting& setting, const Vector3d& sole);
+
+// Height of the ankle above the ground's planes: above all of them where the ground is hollow, above one of them where it is not.
+// m; a foot with more than 0 comes from outside.
+double rise(const Seat& seat, const Vector3d& ankle);
+// m, from the foot but for its last millimetre to the ground beside its seat, looked for up to `reach`.
+double standing_distance(const Seat& seat, const Vector3d& sole, const Vector3d& ankle, double reach);
+// m, from a foot in the air to all the ground.
+double flying_distance(const Setting& setting, const Vector3d& sole, const Vector3d& ankle, double reach);
 
 }  // namespace foothold::octopod

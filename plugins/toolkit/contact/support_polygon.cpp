@@ -28,10 +28,10 @@ double distance_to_segment(const Vector2d& p, const Vector2d& a, const Vector2d&
 }  // namespace
 
 SupportPolygon support_polygon(std::span<const Vector3d> contacts) {
-  if (contacts.size() > SupportPolygon::kMost / 2)
-    throw std::invalid_argument("a support polygon takes up to " + std::to_string(SupportPolygon::kMost / 2) + " contacts, not " +
-                                std::to_string(contacts.size()));
-  std::array<Vector3d, SupportPolygon::kMost / 2> sorted;
+  if (contacts.size() > SupportPolygon::kMostContacts)
+    throw std::invalid_argument("a support polygon takes up to " + std::to_string(SupportPolygon::kMostContacts) +
+                                " contacts, not " + std::to_string(contacts.size()));
+  std::array<Vector3d, SupportPolygon::kMostContacts> sorted;
   const auto end = std::copy(contacts.begin(), contacts.end(), sorted.begin());
   std::sort(sorted.begin(), end,
             [](const Vector3d& a, const Vector3d& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
