@@ -9,6 +9,7 @@
 #include "hyrecro/motion/lift.hpp"
 #include "hyrecro/optimal/bounds.hpp"
 #include "hyrecro/posture.hpp"
+#include "hyrecro/reach/reach_filter.hpp"
 #include "hyrecro/report.hpp"
 #include "hyrecro/steps.hpp"
 #include "hyrecro/travel.hpp"
@@ -29,7 +30,9 @@ truss::Truss read(const Scene& scene) {
 
 }  // namespace
 
-HyrecroPlanner::HyrecroPlanner(const RobotModel& model) : model_(Model::from_model(model)) {}
+HyrecroPlanner::HyrecroPlanner(const RobotModel& model) : model_(Model::from_model(model)) {
+  shared_reach_filter(model_);  // here rather than in the first plan
+}
 
 std::shared_ptr<const PlanarWorkspace> HyrecroPlanner::workspace(const Options& options, const std::stop_token& stop) {
   const double lift = options.paper.lift;

@@ -77,8 +77,7 @@ Options read_options(const Parameters& parameters) {
   // Some digits are lost on the wire; the workspace closes exactly.
   out.heading_step = 2.0 * std::numbers::pi / std::round(turns);
   out.tries = static_cast<int>(parameters.integer("tries"));
-  out.sampling = {parameters.real("d_cnvx"), parameters.real("d_cncv"), parameters.real("transition_step"),
-                  out.method == Method::kOptimal};
+  out.sampling = {parameters.real("d_cnvx"), parameters.real("d_cncv"), parameters.real("transition_step")};
   out.paper.rule = parameters.text("face_rule") == "zhu" ? FaceRule::kZhu : FaceRule::kPaper;
   out.paper.way = parameters.text("face_way") == "grid" ? FaceWay::kGrid : FaceWay::kVisibility;
   out.paper.safe_inset = parameters.real("d_cnvx");

@@ -133,7 +133,7 @@ Size on_trusses(HyrecroPlanner& planner, const Model& model, int beams, int trus
     out.faces = static_cast<int>(truss.faces.size());
     const double before = resident_mb();
     const auto begin = Clock::now();
-    const PreparedTruss scene(model, truss, SamplingOptions{.both_headings = true}, values.real("clearance"));
+    const PreparedTruss scene(model, truss, SamplingOptions{}, values.real("clearance"));
     out.prepare.push_back(ms_since(begin));
     std::mt19937_64 random(seed);
     for (int k = 0; k < requests; ++k) {

@@ -162,7 +162,7 @@ std::vector<TransitionLists::Entry> TransitionLists::around(const Isometry3d& so
     const auto begin = std::lower_bound(line.places.begin(), line.places.end(), -half - std::sqrt(root));
     if (begin == line.places.end() || *begin > -half + std::sqrt(root)) continue;
     const ReachFilter::Turn turn = filter_->turn(back * line.axes);
-    if (turn.ways.empty()) continue;
+    if (turn.never()) continue;
     for (auto place = begin; place != line.places.end() && *place <= -half + std::sqrt(root); ++place)
       if (const Vector3d there = offset + *place * along; filter_->may_reach(turn, there))
         out.push_back({line.footholds[static_cast<std::size_t>(place - line.places.begin())], -1, there.norm()});
@@ -190,7 +190,7 @@ void TransitionLists::pair(const Line& from, const Line& to) {
     if (to.places.back() < low || to.places.front() > high) continue;
     if (turn == nullptr) {
       turn = &turn_of(back * to.axes);
-      if (turn->ways.empty()) return;
+      if (turn->never()) return;
     }
     if (turn->singular && parallel) {
       const double beside = -base.y() * along.y();

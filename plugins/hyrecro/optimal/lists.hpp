@@ -10,8 +10,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "hyrecro/optimal/reach_filter.hpp"
 #include "hyrecro/optimal/search.hpp"
+#include "hyrecro/reach/reach_filter.hpp"
 #include "hyrecro/scene/transitions.hpp"
 
 namespace foothold::hyrecro {

@@ -30,8 +30,8 @@ KeptTruss::KeptTruss(const Model& model, const PreparedTruss& given)
     : scene(given),
       strides(model, given),
       legs(strides),
-      filter(model),
-      lists(given.transitions, filter, strides.bounds().transition_reach(), given.transitions.all().size() > kLarge) {
+      filter(shared_reach_filter(model)),
+      lists(given.transitions, *filter, strides.bounds().transition_reach(), given.transitions.all().size() > kLarge) {
   for (const TransitionFoothold& one : given.transitions.all()) places.push_back(one.pose.translation());
   rows_.resize(places.size());
   footing.assign(places.size(), -1);
@@ -67,7 +67,7 @@ void KeptTruss::tidy() {
     walked.clear();
   }
   if (lists.entries() > kMostKept / 8)
-    lists = TransitionLists(scene.transitions, filter, strides.bounds().transition_reach(), large());
+    lists = TransitionLists(scene.transitions, *filter, strides.bounds().transition_reach(), large());
 }
 
 TrussGraph::TrussGraph(const Model& model, const PreparedTruss& scene, KeptTruss& kept, const Foothold& start, const Foothold& goal,
@@ -292,7 +292,7 @@ void TrussGraph::list_own(int end) {
   own_lists_[end] = kept_.lists.around(sole, face_of(end));
   for (const Transition& transition : own_lists_[end]) own_lists_[transition.to].push_back({end, -1, transition.distance});
   if (end == start() || start_.face == goal_.face) return;
-  if (!kept_.filter.may_reach(sole.inverse(Eigen::Isometry) * pose(start()))) return;
+  if (!kept_.filter->may_reach(sole.inverse(Eigen::Isometry) * pose(start()))) return;
   const double distance = (own_places_[1] - own_places_[0]).norm();
   own_lists_[start()].push_back({goal(), -1, distance});
   own_lists_[goal()].push_back({start(), -1, distance});

@@ -10,8 +10,8 @@
 #include "hyrecro/optimal/legs.hpp"
 #include "hyrecro/optimal/lists.hpp"
 #include "hyrecro/optimal/optimal.hpp"
-#include "hyrecro/optimal/reach_filter.hpp"
 #include "hyrecro/optimal/search.hpp"
+#include "hyrecro/reach/reach_filter.hpp"
 
 namespace foothold::hyrecro {
 
@@ -39,7 +39,7 @@ struct KeptTruss final : PreparedTruss::Kept {
   const PreparedTruss& scene;
   Strides strides;
   Legs legs;
-  ReachFilter filter;
+  std::shared_ptr<const ReachFilter> filter;
   TransitionLists lists;
   std::vector<Vector3d> places;                                          // m, world, by foothold
   std::vector<signed char> footing;                                      // by foothold: see Legs::has_footing(); -1: not known

@@ -3,12 +3,6 @@
 namespace foothold::hyrecro {
 namespace {
 
-// No posture reaches further than both legs stretched in line with the hip.
-double greatest_distance(const Model& model) {
-  const double leg = 2.0 * model.mechanism.offsets(0.0).high - model.core;
-  return model.hip_distance + 2.0 * (model.ankle_height + leg + model.hip_drop);
-}
-
 // The plates are where the pose says, whatever the posture.
 bool plates_apart(const Model& model, const Isometry3d& pose, double clearance) {
   const double thickness = model.plate.z() - model.skin;
@@ -21,10 +15,10 @@ bool plates_apart(const Model& model, const Isometry3d& pose, double clearance) 
 }  // namespace
 
 Exact::Exact(const Model& model, double clearance, const CellSearchOptions& options)
-    : model_(model), clearance_(clearance), cells_(model, clearance, options) {}
+    : model_(model), clearance_(clearance), filter_(shared_reach_filter(model)), cells_(model, clearance, options) {}
 
 bool Exact::for_each_solution(const Isometry3d& pose, const Offer& take) {
-  if (pose.translation().norm() > greatest_distance(model_) || !plates_apart(model_, pose, clearance_)) return false;
+  if (!filter_->may_reach(pose) || !plates_apart(model_, pose, clearance_)) return false;
   return cells_.search(pose, take);
 }
 

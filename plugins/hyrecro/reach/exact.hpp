@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hyrecro/reach/cell_search.hpp"
+#include "hyrecro/reach/reach_filter.hpp"
 #include "hyrecro/reach/reachability.hpp"
 
 namespace foothold::hyrecro {
@@ -21,6 +22,7 @@ class Exact final : public Reachability {
  private:
   const Model model_;
   const double clearance_;
+  const std::shared_ptr<const ReachFilter> filter_;
   CellSearch cells_;
 };
 

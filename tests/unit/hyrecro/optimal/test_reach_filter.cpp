@@ -1,5 +1,5 @@
 // The filter's "no" against what random postures reach.
-#include "hyrecro/optimal/reach_filter.hpp"
+#include "hyrecro/reach/reach_filter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -50,6 +50,23 @@ TEST_P(ExactByKind, FindsWhatRandomSearchFinds) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ExactByKind, ::testing::ValuesIn(kKinds));
 
+// Why transition footholds need one heading alone.
+TEST_P(ExactByKind, AFootThatIsTurnedRoundReachesTheSame) {
+  std::mt19937_64 random(61 + static_cast<std::uint64_t>(GetParam()));
+  const auto exact = make_exact(robot(), kClearance);
+  const Eigen::AngleAxisd round(std::numbers::pi, Vector3d::UnitZ());
+  int reached = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Isometry3d pose = i % 2 == 0 ? random_reached_pose(random, GetParam()) : random_pose(random, GetParam());
+    const Reach straight = exact->reach(pose, {});
+    if (!straight.reachable) continue;
+    ++reached;
+    for (const Isometry3d& turned : {pose * round, round * pose, round * pose * round})
+      EXPECT_TRUE(exact->reach(turned, {}).reachable) << "pose " << i;
+  }
+  EXPECT_GT(reached, 100);
+}
+
 // A reachable pose of each kind, in turn.
 Isometry3d reachable_pose(std::mt19937_64& random, Exact& exact, Kind kind) {
   for (;;) {
