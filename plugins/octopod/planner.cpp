@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 #include "octopod/check/check.hpp"
@@ -40,7 +41,7 @@ Route search(const Ground& ground, const Options& options, State from, int goal,
   if (options.transitions)
     edge = [&](State a, State b) {
       if (const auto known = ground.passage(a, b)) return *known;
-      const bool open = has_transition(ground, ground.standing(a).standing, ground.standing(b).standing, options.swing_height);
+      const bool open = has_transitions(ground, ground.standing(a).standing, ground.standing(b).standing, options.swing_height);
       ground.keep_passage(a, b, open);
       return open;
     };
@@ -79,19 +80,32 @@ PlanReport OctopodPlanner::plan(const Request& request, const Parameters& parame
   course.search_time = since(begin);
   course.goal_distance = (ground.place(goal) - request.goal.base->translation()).norm();
   course.least_margin = ground.options().friction;
-  for (std::size_t k = 1; k < route.states.size(); ++k) {
-    if (context.stop.stop_requested()) return stopped_report();
-    Step step = to_step(ground, route.states[k], route.costs[k]);
-    if (options.transitions) {
+  const auto send = [&](Step step, const Transition* way) {
+    if (way != nullptr) {
       const auto then = std::chrono::steady_clock::now();
-      const auto way = transition(ground, ground.standing(route.states[k - 1]).standing, ground.standing(route.states[k]).standing,
-                                  options.swing_height);
-      if (!way) throw std::logic_error("a transition of the route that was found is missing: step " + std::to_string(k - 1));
       step.motion = to_motion(model_, *way);
       course.least_margin = std::min(course.least_margin, way->least_margin);
       course.motion_time += since(then);
     }
-    if (!context.emit(std::move(step))) return stopped_report();
+    return context.emit(std::move(step));
+  };
+  for (std::size_t k = 1; k < route.states.size(); ++k) {
+    if (context.stop.stop_requested()) return stopped_report();
+    std::vector<Transition> parts;
+    if (options.transitions) {
+      const auto then = std::chrono::steady_clock::now();
+      parts = transitions(ground, ground.standing(route.states[k - 1]).standing, ground.standing(route.states[k]).standing,
+                          options.swing_height);
+      if (parts.empty())
+        throw std::logic_error("a transition of the route that was found is missing: step " + std::to_string(k - 1));
+      course.motion_time += since(then);
+    }
+    for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+      const double part = static_cast<double>(i + 1) / static_cast<double>(parts.size());
+      Step stop = to_stop(ground, parts[i].to, route.states[k], std::lerp(route.costs[k - 1], route.costs[k], part));
+      if (!send(std::move(stop), &parts[i])) return stopped_report();
+    }
+    if (!send(to_step(ground, route.states[k], route.costs[k]), parts.empty() ? nullptr : &parts.back())) return stopped_report();
   }
   return found_report(ground, options, route, course);
 }

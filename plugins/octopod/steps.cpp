@@ -13,6 +13,10 @@ std::string shown(const char* form, double value) {
   return text;
 }
 
+std::string shown_place(const Vector3d& at) {
+  return "(" + shown("%.3f", at.x()) + ", " + shown("%.3f", at.y()) + ", " + shown("%.3f", at.z()) + ") m";
+}
+
 Isometry3d contact_frame(const Footing& foot, const Vector3d& ahead) {
   // An axis along the normal leaves forward open.
   Vector3d x = ahead - ahead.dot(foot.normal) * foot.normal;
@@ -36,11 +40,22 @@ Posture standing_posture(const Standing& standing) {
   return out;
 }
 
+Step to_stop(const Ground& ground, const Standing& stop, State state, double cost) {
+  const Vector3d at = ground.place(node_of(state));
+  Step out;
+  out.label = "stop on the way over " + shown_place(at);
+  out.after = standing_posture(stop);
+  out.placed = out.after.stance;
+  out.attributes = {{"stop before node", std::to_string(node_of(state))}};
+  out.cost = cost;
+  return out;
+}
+
 Step to_step(const Ground& ground, State state, double cost) {
   const Standing& standing = ground.standing(state).standing;
   const Vector3d at = ground.place(node_of(state));
   const double friction = ground.critical_friction(state);
-  const std::string place = "(" + shown("%.3f", at.x()) + ", " + shown("%.3f", at.y()) + ", " + shown("%.3f", at.z()) + ") m";
+  const std::string place = shown_place(at);
   Step out;
   out.label = "over " + place + (ground.stable(state) ? "" : ", UNSTABLE");
   out.after = standing_posture(standing);

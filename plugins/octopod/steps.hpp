@@ -12,5 +12,7 @@ Posture standing_posture(const Standing& standing);
 
 // The step that brings the robot to `state`, without its motion. `cost`: m, of the plan up to there. Any thread.
 Step to_step(const Ground& ground, State state, double cost);
+// The step to a stop on the way to `state`, likewise.
+Step to_stop(const Ground& ground, const Standing& stop, State state, double cost);
 
 }  // namespace foothold::octopod
