@@ -12,6 +12,7 @@
 #include "contact/critical_friction.hpp"
 #include "contact/newton.hpp"
 #include "contact/projection.hpp"
+#include "contact/robustness.hpp"
 #include "figures.hpp"
 #include "oracles.hpp"
 #include "stances.hpp"
@@ -114,10 +115,11 @@ int main(int count, char** words) {
       {"", nullptr,
        [&](const Case& c) { return judge_by_projection(c.here.contacts, c.here.com, c.here.mu, pyramid.cone()).stable; }},
       {"", nullptr, [&](const Case& c) { return critical_friction(circle, c.here.contacts, c.here.com).mu <= c.here.mu; }},
+      {"", nullptr, [&](const Case& c) { return support_margin(pyramid, c.here.contacts, c.here.com, c.here.mu).value > 0.0; }},
   };
-  const char* names[] = {"ours, 10 edges, cold",  "ours, 10 edges, warm", "ours, circular, cold", "ours, circular, warm",
-                         "ours, 64 edges, cold",  "CLP primal, 10 edges", "CLP dual, 10 edges",   "paper's Newton, 10 edges",
-                         "nearest wrench (NNLS)", "critical friction"};
+  const char* names[] = {"ours, 10 edges, cold",  "ours, 10 edges, warm", "ours, circular, cold",    "ours, circular, warm",
+                         "ours, 64 edges, cold",  "CLP primal, 10 edges", "CLP dual, 10 edges",      "paper's Newton, 10 edges",
+                         "nearest wrench (NNLS)", "critical friction",    "support margin, 10 edges"};
   for (std::size_t m = 0; m < methods.size(); ++m) {
     methods[m].name = names[m];
     methods[m].us.resize(all.size());
@@ -167,6 +169,7 @@ int main(int count, char** words) {
   add("edges_64_cold_median", median(4), "us", "less", {});
   add("nearest_wrench_median", median(8), "us", "less", {});
   add("critical_friction_median", median(9), "us", "less", {});
+  add("support_margin_median", median(10), "us", "less", {});
   add("clp_median", median(5), "us", "less", {});
   add("clp_disagreements", differing(ours, methods[5]), "1", "less", 0.0);
   foothold::bench::report("contact", figures);
