@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace foothold::hexpiderix {
 namespace {
@@ -62,6 +64,50 @@ PlanReport failed_report(const Adaption& found) {
       report.field = "start.base";
       report.hint = "allow further legs (legs: add or any), or take method optimal";
   }
+  return report;
+}
+
+PlanReport walked_report(const Model& model, const Walk& found, const Stand& from, const Station& goal, const Options& options,
+                         double time) {
+  PlanReport report;
+  report.outcome = PlanReport::Outcome::kReached;
+  report.cost_unit = "m";
+  report.objective = "a walk by alternating tripods whose stability (NESM) keeps its bound; its length is the thorax' way";
+  double least = std::numeric_limits<double>::infinity(), friction = 0.0;
+  const Stand* at = &from;
+  for (const HalfCycle& half : found.half_cycles) {
+    report.cost += (half.to.at.thorax.translation() - at->at.thorax.translation()).norm();
+    least = std::min(least, half.least_nesm);
+    Footholds held = at->feet;
+    held.supports &= ~half.swinging;
+    for (const Coordinates* end : {&half.way.front(), &half.way.back()})
+      friction = std::max(friction, std::min(kNoFriction, friction_needed(held, end->thorax * centre_of_mass(model, end->legs))));
+    at = &half.to;
+  }
+  report.lower_bound = (at->at.thorax.translation() - from.at.thorax.translation()).norm();
+  report.lower_bound = std::min(report.lower_bound, report.cost);
+  const auto add = [&](const char* name, double value, double bound, const char* unit) {
+    report.figures.push_back({name, value, bound, unit});
+  };
+  add("least NESM", least, options.walk.least_nesm, "m");
+  add("friction needed", friction, options.adapt.best.friction, "1");
+  add("distance to goal", (at->at.thorax.translation() - goal.place).head<2>().norm(), 0.0, "m");
+  add("half cycles", static_cast<double>(found.half_cycles.size()), 0.0, "1");
+  add("half cycles tried", static_cast<double>(found.tried), 0.0, "1");
+  add("search", time, 0.0, "ms");
+  return report;
+}
+
+PlanReport blocked_report(const Walk& found) {
+  PlanReport report;
+  report.outcome = PlanReport::Outcome::kFailed;
+  report.error = PlanError::kNoPath;
+  report.field = "goal.base.position";
+  std::ostringstream text;
+  text << "no walk was found: the farthest try ended at (" << found.farthest.x() << ", " << found.farthest.y() << ", "
+       << found.farthest.z() << ") m after " << found.tried << " half cycles; there " << found.because;
+  report.message = text.str();
+  report.hint = "move the goal, lower least_nesm, or take a shorter stride";
   return report;
 }
 

@@ -32,6 +32,15 @@ void demand_joints(const Model& model, const std::vector<double>& joints) {
               model.limits[k % 3].high, " rad, is ", joints[k]);
 }
 
+// The ground's point nearest to a base.
+Vector3d on_ground(const Ground& ground, const Options& options, const Isometry3d& base, const char* whose) {
+  const terrain::Nearest near = ground.surface().nearest(base.translation());
+  if (!(near.distance <= options.snap))
+    invalid(std::string(whose) + ".base.position", "lies ", near.distance, " m from the ground, at most ", options.snap,
+            " m are allowed (parameter snap)");
+  return near.point;
+}
+
 Legs named_legs(const std::vector<Contact>& contacts) {
   Legs out;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -142,8 +151,36 @@ Options read_options(const Parameters& parameters) {
   if (grid.height.low > grid.height.high)
     invalid("parameters.lowest", "must be at most ", grid.height.high, " m, where the legs are stretched, is ", grid.height.low);
   out.clearance = parameters.real("clearance");
+  out.walk.stride = parameters.real("stride");
+  out.walk.turn = parameters.real("turn");
+  out.walk.least_nesm = parameters.real("least_nesm");
+  out.walk.swing = parameters.real("swing");
+  out.walk.friction = adapt.best.friction;
+  out.walk.clearance = out.clearance;
   out.snap = parameters.real("snap");
   return out;
+}
+
+bool is_walk(const Request& request) { return request.goal.base || !request.goal.contacts.empty() || !request.goal.joints.empty(); }
+
+Stand read_stand(const Model& model, const Ground& ground, const Options& options, const Placement& start) {
+  if (start.any_orientation) invalid("start.any_orientation", "the start must be known");
+  if (!start.joints.empty()) invalid("start.joints", "are not read for a walk: it begins standing on six feet at start.base");
+  if (!start.contacts.empty()) invalid("start.contacts", "are not read for a walk: it begins standing on six feet at start.base");
+  if (!start.base) invalid("start.base", "is missing: a point of the ground under the robot and its heading");
+  const Vector3d place = on_ground(ground, options, *start.base, "start");
+  const Vector3d ahead = start.base->linear().col(0);
+  std::string because;
+  const auto stand = stand_at(model, ground, {place, std::atan2(ahead.y(), ahead.x())}, options.walk, &because);
+  if (!stand) invalid("start.base", "the robot cannot stand there on six feet: ", because);
+  return *stand;
+}
+
+Station read_goal(const Ground& ground, const Options& options, const Stand& from, const Placement& goal) {
+  if (!goal.contacts.empty()) invalid("goal.contacts", "are not planned for; give goal.base, the point to walk to");
+  if (!goal.joints.empty()) invalid("goal.joints", "are not planned for; give goal.base, the point to walk to");
+  const Vector3d ahead = goal.any_orientation ? from.at.thorax.linear().col(0) : goal.base->linear().col(0);
+  return {on_ground(ground, options, *goal.base, "goal"), std::atan2(ahead.y(), ahead.x())};
 }
 
 Start read_start(const Model& model, const Ground& ground, const Options& options, const Placement& start) {

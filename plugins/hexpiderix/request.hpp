@@ -3,12 +3,13 @@
 
 #include "foothold/planner.hpp"
 #include "hexpiderix/adapt/adapt.hpp"
-#include "hexpiderix/ground.hpp"
+#include "hexpiderix/walk/walk.hpp"
 
 namespace foothold::hexpiderix {
 
 struct Options {
   AdaptOptions adapt;
+  WalkOptions walk;
   Legs supports = kTriad1;
   double clearance = 0.0;  // m
   double snap = 0.0;       // m
@@ -26,5 +27,12 @@ struct Start {
 };
 // Throws InvalidRequest: nothing given, off the ground, feet that do not meet the ground, less than three supports.
 Start read_start(const Model& model, const Ground& ground, const Options& options, const Placement& start);
+
+// To walk the robot begins on six feet, standing at `start.base`, where it can. Throws InvalidRequest.
+Stand read_stand(const Model& model, const Ground& ground, const Options& options, const Placement& start);
+// Where to walk; with any_orientation the heading stays. Throws InvalidRequest.
+Station read_goal(const Ground& ground, const Options& options, const Stand& from, const Placement& goal);
+// A request with a goal is one to walk.
+bool is_walk(const Request& request);
 
 }  // namespace foothold::hexpiderix

@@ -92,4 +92,20 @@ Step to_step(const Model& model, const Start& from, const Adaption& to) {
   return step;
 }
 
+Step to_step(const Model& model, const Stand& from, const HalfCycle& half_cycle, int number, double cost) {
+  Step step;
+  step.after = standing_posture(half_cycle.to.at, half_cycle.to.feet);
+  for (std::size_t leg = 0; leg < kLegs; ++leg)
+    if (half_cycle.swinging[leg]) step.placed.push_back(step.after.stance[leg]);
+  if (step.placed.empty()) step.placed = step.after.stance;
+  const char* what = half_cycle.swinging.none() ? "the thorax shifts on six feet"
+                     : half_cycle.swinging[0]   ? "triad 1 steps"
+                                                : "triad 2 steps";
+  step.label = "half cycle " + std::to_string(number) + ": " + what;
+  add(model, from.at, from.at, step.motion);
+  for (std::size_t k = 1; k < half_cycle.way.size(); ++k) add(model, half_cycle.way[k], half_cycle.way[k - 1], step.motion);
+  step.cost = cost;
+  return step;
+}
+
 }  // namespace foothold::hexpiderix

@@ -15,4 +15,8 @@ std::vector<MotionPoint> adapting_motion(const Model& model, const Start& from, 
 
 Step to_step(const Model& model, const Start& from, const Adaption& to);
 
+// Half a cycle of a walk, the `number`th: the three feet that swing are placed. Times within the joints' speed. `cost`: m, of the
+// way up to there.
+Step to_step(const Model& model, const Stand& from, const HalfCycle& half_cycle, int number, double cost);
+
 }  // namespace foothold::hexpiderix

@@ -35,11 +35,12 @@ const Vector3d* normal_at(const terrain::Surface& surface, const Vector3d& point
 struct Stance {
   Legs legs;
   std::array<Vector3d, kLegs> points{};
-  std::vector<Support> supports;
+  std::vector<Support> supports;  // leg by leg
 };
 
 Stance judge_stance(const terrain::Surface& surface, const Posture& posture, const char* which) {
   Stance out;
+  std::array<Support, kLegs> by_leg{};
   for (const Contact& contact : posture.stance) {
     std::size_t leg = 0;
     while (leg < kLegs && contact.limb != "L" + std::to_string(leg + 1)) ++leg;
@@ -53,8 +54,10 @@ Stance judge_stance(const terrain::Surface& surface, const Posture& posture, con
       refuse(which, ": foot ", contact.limb, " is ", surface.nearest(out.points[leg]).distance, " m off the ground");
     if ((*normal - up).norm() > judge::kPoseTolerance)
       refuse(which, ": the contact of ", contact.limb, " is not along the ground's normal");
-    out.supports.push_back({out.points[leg], *normal});
+    by_leg[leg] = {out.points[leg], *normal};
   }
+  for (std::size_t leg = 0; leg < kLegs; ++leg)
+    if (out.legs[leg]) out.supports.push_back(by_leg[leg]);
   if (out.legs.count() < 3) refuse(which, ": only ", out.legs.count(), " feet stand");
   return out;
 }
@@ -79,8 +82,24 @@ struct Course {
   double slip = 0.0, least_tipping = std::numeric_limits<double>::infinity();
 };
 
+// The feet that stand in both postures, at the same places.
+Stance held_between(const Stance& from, const Stance& to) {
+  Stance out;
+  for (std::size_t leg = 0, k = 0; leg < kLegs; ++leg) {
+    if (!from.legs[leg]) continue;
+    const Support& support = from.supports[k++];
+    if (!to.legs[leg] || (to.points[leg] - from.points[leg]).norm() > judge::kSame) continue;
+    out.legs[leg] = true;
+    out.points[leg] = from.points[leg];
+    out.supports.push_back(support);
+  }
+  if (out.legs.count() < 3) refuse("only ", out.legs.count(), " feet hold while the others move");
+  return out;
+}
+
+// `held`: the feet that hold all along.
 Course judge_motion(const Model& model, const terrain::Surface& surface, const Step& step, const Posture& before,
-                    const Stance& from, double clearance) {
+                    const Stance& held, const CheckOptions& options) {
   const MotionPoint &first = step.motion.front(), &last = step.motion.back();
   const auto off = [](const MotionPoint& point, const Posture& posture) {
     double most = judge::error_between(point.base, posture.base);
@@ -91,6 +110,10 @@ Course judge_motion(const Model& model, const terrain::Surface& surface, const S
   if (off(first, before) > judge::kPoseTolerance) refuse("the motion does not begin at the posture before");
   if (off(last, step.after) > judge::kPoseTolerance) refuse("the motion does not end at the posture after");
   Course out;
+  const auto holds = [&](const Posture& end) {
+    return balanced(held.supports, skeleton(model, end.base, end.joints).centre_of_mass, options.friction);
+  };
+  const bool both_balanced = holds(before) && holds(step.after);  // a robot that begins out of balance may come into it
   for (std::size_t k = 1; k < step.motion.size(); ++k) {
     const MotionPoint &a = step.motion[k - 1], &b = step.motion[k];
     double fastest = 0.0;
@@ -105,12 +128,14 @@ Course judge_motion(const Model& model, const terrain::Surface& surface, const S
       std::vector<double> joints(a.joints);
       for (std::size_t j = 0; j < joints.size(); ++j) joints[j] += part * (b.joints[j] - a.joints[j]);
       const Skeleton at = skeleton(model, base, joints);
-      const double stray = strayed(at, from, from.legs);
+      const double stray = strayed(at, held, held.legs);
       out.slip = std::max(out.slip, stray);
       if (stray > (look % kBetween == 0 ? judge::kPoseTolerance : kSlip))
         refuse("a supporting foot strays by ", stray, " m on the way");
-      judge_clear(model, surface, base, at, from.legs, clearance, "on the way");
-      out.least_tipping = std::min(out.least_tipping, tipping_height(from.supports, at.centre_of_mass));
+      judge_clear(model, surface, base, at, held.legs, options.clearance, "on the way");
+      if (look == kBetween && !balanced(held.supports, at.centre_of_mass, options.friction) && both_balanced)
+        refuse("the feet that hold are not in equilibrium at friction ", options.friction, " on the way");
+      out.least_tipping = std::min(out.least_tipping, tipping_height(held.supports, at.centre_of_mass));
     }
   }
   return out;
@@ -134,9 +159,15 @@ StepVerdict judge_step(const Model& model, const terrain::Surface& surface, cons
   verdict.margins.push_back({"NESM", tipping, 0.0, "m"});
   verdict.margins.push_back({"closure", judge::kPoseTolerance - stray, 0.0, "m"});
   if (!step.motion.empty()) {
-    const Course course = judge_motion(model, surface, step, before, from, options.clearance);
+    const Stance held = held_between(from, to);
+    const double ends = std::min(tipping_height(held.supports, skeleton(model, before.base, before.joints).centre_of_mass),
+                                 tipping_height(held.supports, at.centre_of_mass));
+    const double demanded = std::min(options.least_nesm, ends);
+    const Course course = judge_motion(model, surface, step, before, held, options);
+    if (course.least_tipping < demanded - judge::kSame)
+      refuse("the stability falls to a NESM of ", course.least_tipping, " m on the way, at least ", demanded, " m are demanded");
     verdict.margins.push_back({"slip between points", kSlip - course.slip, 0.0, "m"});
-    verdict.margins.push_back({"least NESM on the way", course.least_tipping, std::min(0.0, course.least_tipping), "m"});
+    verdict.margins.push_back({"least NESM on the way", course.least_tipping, demanded, "m"});
   }
   return verdict;
 }

@@ -42,7 +42,8 @@ void judge_clear(const Model& model, const terrain::Surface& surface, const Isom
       if (surface.nearer(link, least) || surface.under(link.a))
         refuse(which, ": leg ", named(leg), " is ", surface.distance(link), " m from the terrain, at least ", clearance,
                " m are demanded");
-    if (!supports[leg] && surface.under(limb.foot)) refuse(which, ": foot ", named(leg), " swings under the terrain");
+    if (!supports[leg] && surface.under(limb.foot + judge::kPoseTolerance * Vector3d::UnitZ()))
+      refuse(which, ": foot ", named(leg), " swings under the terrain");
     const Capsule whole{limb.knee, limb.foot, radius};
     for (const Box& box : thorax)
       if (collision::nearer(whole, box, least)) refuse(which, ": leg ", named(leg), " touches the thorax");

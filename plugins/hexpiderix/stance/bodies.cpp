@@ -36,6 +36,24 @@ double between(const Model& model, const Leg& a, const Leg& b) {
                    collision::distance(tibiae[0], femurs[1]), collision::distance(tibiae[0], tibiae[1])});
 }
 
+Contacting trouble_with_itself(const Model& model, const Coordinates& at, const std::array<Leg, kLegs>& legs, double clearance) {
+  for (std::size_t i = 0; i < kLegs; ++i)
+    for (std::size_t j = i + 1; j < kLegs; ++j) {
+      const double reach = legs[i].reach + legs[j].reach + clearance;
+      if ((legs[i].middle - legs[j].middle).squaredNorm() >= reach * reach) continue;
+      const double distance = between(model, legs[i], legs[j]);
+      if (distance < clearance) return {Fault::kLegOnLeg, i, j, distance};
+    }
+  const collision::Box thorax{at.thorax,
+                              {model.thorax_width / 2, model.thorax_width * std::numbers::sqrt3 / 4, model.thorax_height / 2}};
+  for (std::size_t i = 0; i < kLegs; ++i) {
+    const Capsule tibia{legs[i].knee, legs[i].foot, model.leg_radius};
+    if (!collision::nearer(tibia, thorax, clearance)) continue;
+    return {Fault::kLegOnThorax, i, i, collision::distance(tibia, thorax)};
+  }
+  return {};
+}
+
 }  // namespace
 
 Contacting nearest_trouble(const Model& model, const Coordinates& at, const Plane& ground, Legs supports, double clearance) {
@@ -54,21 +72,13 @@ Contacting nearest_trouble(const Model& model, const Coordinates& at, const Plan
     const double above = ground.above(at.thorax * vertex);
     if (above < clearance) return {Fault::kThoraxOnGround, 0, 0, above};
   }
-  for (std::size_t i = 0; i < kLegs; ++i)
-    for (std::size_t j = i + 1; j < kLegs; ++j) {
-      const double reach = legs[i].reach + legs[j].reach + clearance;
-      if ((legs[i].middle - legs[j].middle).squaredNorm() >= reach * reach) continue;
-      const double distance = between(model, legs[i], legs[j]);
-      if (distance < clearance) return {Fault::kLegOnLeg, i, j, distance};
-    }
-  const collision::Box thorax{at.thorax,
-                              {model.thorax_width / 2, model.thorax_width * std::numbers::sqrt3 / 4, model.thorax_height / 2}};
-  for (std::size_t i = 0; i < kLegs; ++i) {
-    const Capsule tibia{legs[i].knee, legs[i].foot, model.leg_radius};
-    if (!collision::nearer(tibia, thorax, clearance)) continue;
-    return {Fault::kLegOnThorax, i, i, collision::distance(tibia, thorax)};
-  }
-  return {};
+  return trouble_with_itself(model, at, legs, clearance);
+}
+
+Contacting trouble_with_itself(const Model& model, const Coordinates& at, double clearance) {
+  std::array<Leg, kLegs> legs;
+  for (std::size_t i = 0; i < kLegs; ++i) legs[i] = leg_at(model, at, i);
+  return trouble_with_itself(model, at, legs, clearance);
 }
 
 }  // namespace foothold::hexpiderix

@@ -19,4 +19,7 @@ struct Contacting {
 // Ground first (legs 1 to 6, thorax), then pairs of legs, then tibiae and thorax.
 Contacting nearest_trouble(const Model& model, const Coordinates& at, const Plane& ground, Legs supports, double clearance);
 
+// The pairs of legs and the tibiae with the thorax alone.
+Contacting trouble_with_itself(const Model& model, const Coordinates& at, double clearance);
+
 }  // namespace foothold::hexpiderix

@@ -1,0 +1,110 @@
+// Walks over slopes, changes of slope and generated terrains: every half cycle before the judge, every instant above the bound.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <sstream>
+
+#include "../slopes.hpp"
+#include "hexpiderix/check/check.hpp"
+#include "hexpiderix/steps.hpp"
+
+namespace foothold::hexpiderix::testing {
+namespace {
+
+// A strip that falls by `first` up to x = 0 and by `second` behind it, both along +x; turned about z by `direction`.
+std::string bent_ground(double first, double second, double direction) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "kind: terrain\nvertices: [";
+  const double xs[] = {-2.5, 0.0, 2.5};
+  bool comma = false;
+  for (const double x : xs)
+    for (const double y : {-2.5, 2.5}) {
+      const double z = x < 0.0 ? -x * std::tan(first) : -x * std::tan(second);
+      out << (comma ? ", " : "") << "[" << x * std::cos(direction) - y * std::sin(direction) << ", "
+          << x * std::sin(direction) + y * std::cos(direction) << ", " << z << "]";
+      comma = true;
+    }
+  out << "]\ntriangles: [[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]]\n";
+  return out.str();
+}
+
+Vector3d on(const Ground& ground, double x, double y) { return {x, y, ground.surface().height(x, y).value()}; }
+
+// Judges every half cycle as the host does.
+void judge_all(const Ground& ground, const Stand& from, const Walk& found, const WalkOptions& options) {
+  const Stand* at = &from;
+  int number = 0;
+  for (const HalfCycle& half : found.half_cycles) {
+    const Step step = to_step(shipped_model(), *at, half, ++number, 0.0);
+    const StepVerdict verdict = check_step(shipped_model(), ground.surface(), step, standing_posture(at->at, at->feet),
+                                           {options.clearance, options.friction, options.least_nesm});
+    ASSERT_TRUE(verdict.accepted) << step.label << ": " << verdict.reason;
+    for (const Margin& margin : verdict.margins) ASSERT_GE(margin.value, margin.least) << margin.name;
+    EXPECT_GE(half.least_nesm, options.least_nesm);
+    at = &half.to;
+  }
+}
+
+TEST(Walk, TwoMetresOnLevelGround) {
+  const Ground ground(terrain::parse_terrain(bent_ground(0, 0, 0)));
+  const WalkOptions options;
+  const auto from = stand_at(shipped_model(), ground, {on(ground, -1, 0), 0.3}, options);
+  ASSERT_TRUE(from);
+  const Walk found = walk(shipped_model(), ground, *from, {on(ground, 1, 0.2), -0.4}, options, {});
+  ASSERT_EQ(found.end, Walk::End::kArrived) << found.because;
+  judge_all(ground, *from, found, options);
+  const Isometry3d& last = found.half_cycles.back().to.at.thorax;
+  EXPECT_NEAR(last.translation().x(), 1.0, 1e-9);
+  EXPECT_NEAR(last.translation().y(), 0.2, 1e-9);
+  EXPECT_NEAR(std::atan2(last.linear()(1, 0), last.linear()(0, 0)), -0.4, 1e-9);
+  EXPECT_GE(found.half_cycles.size(), 34U) << "two metres are 34 strides of 6 cm at least";
+}
+
+TEST(Walk, OverSlopesAndTheirChangesEveryInstantKeepsTheBound) {
+  std::mt19937_64 random(1);
+  const int count = std::getenv("FOOTHOLD_LONG") ? 200 : 24;
+  std::uniform_real_distribution<double> slope(-25, 25), any(0, 2 * std::numbers::pi), place(-0.8, 0.8);
+  int arrived = 0;
+  for (int i = 0; i < count; ++i) {
+    const double first = slope(random) * kDegree, second = i % 2 ? first : slope(random) * kDegree;
+    const Ground ground(terrain::parse_terrain(bent_ground(first, second, any(random))));
+    WalkOptions options;
+    options.least_nesm = 3e-3;
+    const auto from = stand_at(shipped_model(), ground, {on(ground, place(random), place(random)), any(random)}, options);
+    if (!from) continue;
+    const Walk found = walk(shipped_model(), ground, *from, {on(ground, place(random), place(random)), any(random)}, options, {});
+    if (found.end == Walk::End::kArrived) {
+      ++arrived;
+      judge_all(ground, *from, found, options);
+    } else {
+      EXPECT_FALSE(found.because.empty());
+    }
+  }
+  std::printf("%d of %d walks arrive\n", arrived, count);
+  EXPECT_GE(arrived, count / 2);
+}
+
+TEST(Walk, StopsWhenItIsToldTo) {
+  const Ground ground(terrain::parse_terrain(bent_ground(0, 0, 0)));
+  const auto from = stand_at(shipped_model(), ground, {on(ground, -1, 0), 0.0}, {});
+  ASSERT_TRUE(from);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(walk(shipped_model(), ground, *from, {on(ground, 1, 0), 0.0}, {}, stop.get_token()).end, Walk::End::kStopped);
+}
+
+TEST(Walk, OffTheTerrainItSaysWhere) {
+  const Ground ground(terrain::parse_terrain(bent_ground(0, 0, 0)));
+  const auto from = stand_at(shipped_model(), ground, {on(ground, 1, 0), 0.0}, {});
+  ASSERT_TRUE(from);
+  const Walk found = walk(shipped_model(), ground, *from, {{3, 0, 0}, 0.0}, {}, {});
+  EXPECT_EQ(found.end, Walk::End::kBlocked);
+  EXPECT_EQ(found.because, "there is no ground under a foot");
+  EXPECT_NEAR(found.farthest.x(), 2.3, 0.1);
+}
+
+}  // namespace
+}  // namespace foothold::hexpiderix::testing
