@@ -88,7 +88,12 @@ std::vector<Entry> entries(const Plan& plan, const Hues& hues, const std::vector
     all.push_back({"A BODY CUTS THE SCENE after step " + steps_in(crossings), [](Svg& svg, double x, double y) {
                      svg.path("x", closed_path({at(x + 2, y + 6), at(x + 8, y - 6), at(x + 28, y - 6), at(x + 22, y + 6)}));
                    }});
-  if (footholds || !plan.start.contacts.empty() || !plan.goal.contacts.empty()) all.push_back(frame_entry());
+  const auto many = std::count_if(plan.stances.begin(), plan.stances.end(), places_many);
+  if (many > 0)
+    all.push_back({"foothold of a step that places many: Z off the surface",
+                   [](Svg& svg, double x, double y) { svg.line("az", at(x + 10, y + 4), at(x + 10, y - 5)); }});
+  const bool one_by_one = footholds && many < static_cast<std::ptrdiff_t>(plan.stances.size());
+  if (one_by_one || !plan.start.contacts.empty() || !plan.goal.contacts.empty()) all.push_back(frame_entry());
   if (footholds) all.push_back(number_entry());
   if (bodies && hues.names().size() < 2) all.push_back(body_entry("the robot, first stance to last", 0));
   if (bodies && hues.names().size() >= 2)

@@ -9,7 +9,8 @@ namespace {
 
 // px, a frame's axes that lie in the picture: told apart by length, not by colour alone
 constexpr double kAxis[3] = {18.0, 11.0, 18.0};
-constexpr double kRing = 7.0;  // px, radius of start and goal marks
+constexpr double kNormal = 9.0;  // px, of a foothold among many
+constexpr double kRing = 7.0;    // px, radius of start and goal marks
 
 struct Named {
   Label label;
@@ -35,6 +36,13 @@ void draw_frame(const Canvas& canvas, const Isometry3d& frame) {
     tip[axis] += kAxis[axis] / canvas.projection.scale;
     draw_line(canvas, kClasses[axis], canvas.projection(frame * off), canvas.projection(frame * tip));
   }
+}
+
+// Where many feet are placed at once: the normal alone.
+void draw_normal(const Canvas& canvas, const Isometry3d& frame) {
+  const double pixel = 1.0 / canvas.projection.scale;
+  draw_line(canvas, "az", canvas.projection(frame * Vector3d(0.0, 0.0, pixel)),
+            canvas.projection(frame * Vector3d(0.0, 0.0, kNormal * pixel)));
 }
 
 std::string words_of(const Foothold& foothold) {
@@ -122,7 +130,15 @@ void draw_marks(const Canvas& canvas, const Plan& plan) {
 
   std::vector<Named> named;
   for (const Foothold& contact : held_before(plan)) draw_frame(canvas, contact.frame);
-  for (const Stance& stance : plan.stances)
+  for (const Stance& stance : plan.stances) {
+    if (places_many(stance)) {
+      for (const Foothold& placed : stance.placed) draw_normal(canvas, placed.frame);
+      const Vector3d at = canvas.projection(stance.base_way.back());
+      named.push_back({{std::to_string(stance.index), at, {}},
+                       canvas.occluders.hides(at),
+                       "step " + std::to_string(stance.index) + ": " + std::to_string(stance.placed.size()) + " feet"});
+      continue;
+    }
     for (const Foothold& placed : stance.placed) {
       draw_frame(canvas, placed.frame);
       const Vector3d at = lifted(canvas, placed.frame);
@@ -130,6 +146,7 @@ void draw_marks(const Canvas& canvas, const Plan& plan) {
                        canvas.occluders.hides(at),
                        "step " + std::to_string(stance.index) + ":" + words_of(placed)});
     }
+  }
   mark_placement(canvas, plan.start, "S", named);
   mark_placement(canvas, plan.goal, "G", named);
   draw_labels(canvas, std::move(named));

@@ -43,11 +43,13 @@ void draw_scene(const Canvas& canvas, const Plan& plan, std::vector<SeenFace> fa
 // The robot at each stance: its bodies, or lines from base to contacts if the steps bear no shapes.
 void draw_robot(const Canvas& canvas, const Plan& plan, const Hues& hues);
 void draw_crossings(const Canvas& canvas, const std::vector<Crossing>& crossings);
-// The base's way, start, goal, and every foothold with its frame and its step's number.
+// The base's way, start, goal, and every foothold with its frame and its step's number; a step that places many feet has one
+// number, at its base, and their normals.
 void draw_marks(const Canvas& canvas, const Plan& plan);
 
 // A line whose hidden stretches have the class `d` too.
 void draw_line(const Canvas& canvas, const std::string& classes, const Vector3d& from, const Vector3d& to);
+inline bool places_many(const Stance& stance) { return stance.placed.size() > 3; }
 // Every point of the base's way, from the start on.
 Points base_way(const Plan& plan);
 // Footholds that hold at the first stance and were placed by none of the drawn steps.

@@ -33,6 +33,20 @@ TEST(Marks, EveryFootholdIsNumberedInBothViews) {
   }
 }
 
+TEST(Marks, AStepThatPlacesManyFeetHasOneNumberAndTheirNormals) {
+  Drawing drawing;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    msg::Step one = step(i, pose(i, 0, 0.2));
+    for (int k = 0; k < 8; ++k) one.placed().push_back(contact("A", pose(i + 0.1 * k, k % 2, 0)));
+    one.stance(one.placed());
+    drawing.steps.push_back(one);
+  }
+  const Picture picture(draw_svg(drawing, {}));
+  EXPECT_EQ(labels_in(picture, "above"), (std::multiset<std::string>{"0", "1", "2"}));
+  EXPECT_EQ(Picture::attributes(picture.part("oblique"), "az", "x1").size(), 24u);
+  EXPECT_TRUE(Picture::attributes(picture.part("oblique"), "ax", "x1").empty());
+}
+
 TEST(Marks, PixelsOfKnownPointsAreInProportion) {
   // Four bases at the corners of a unit square: in the view from above the dots make a square, Y up.
   Drawing drawing;
