@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "contact/critical_friction.hpp"
+#include "contact/newton.hpp"
 #include "octopod/search/neighbours.hpp"
 #include "terrain/centroids.hpp"
 
@@ -45,6 +46,10 @@ struct Ground::Kept {
         fine(terrain::subdivide(surface->terrain(), options.resolution, options.split)),
         tree(fine),
         judge(contact::FrictionCone{options.cone_edges}) {
+    if (options.as_printed) {
+      fine_surface.emplace(fine);
+      newton.emplace(contact::NewtonSettings{.edges = options.cone_edges});
+    }
     node_of_triangle.assign(fine.size(), -1);
     for (std::size_t t = 0; t < fine.size(); ++t)
       if (fine.ground[t] != 0) {
@@ -69,6 +74,21 @@ struct Ground::Kept {
     return out;
   }
 
+  Built stand_at(const Vector3d& node, const Vector3d& normal, int axis) const {
+    if (options.as_printed) return stand_paper(model, *fine_surface, tree, node, normal, axis, options.clearance);
+    return stand(model, *surface, node, normal, axis, options.clearance);
+  }
+
+  bool holds(const Standing& standing) {
+    if (options.as_printed) {
+      std::mt19937_64 random(1);
+      return newton->stable(contacts(standing), standing.centre_of_mass, options.friction, random);
+    }
+    // From nothing each time, so that an answer on the very border does not depend on what was asked before.
+    judge.forget();
+    return judge.judge(contacts(standing), standing.centre_of_mass, options.friction).stable;
+  }
+
   std::size_t triangle(int node) const { return static_cast<std::size_t>(triangles[static_cast<std::size_t>(node)]); }
 
   enum class Verdict : std::uint8_t { kUnasked, kStable, kUnstable };
@@ -83,6 +103,9 @@ struct Ground::Kept {
   Neighbours neighbours;
 
   contact::Equilibrium judge;
+  // As printed: the tree's own surface; Newton from random forces, which are the same for each question.
+  std::optional<terrain::Surface> fine_surface;
+  std::optional<contact::NewtonEquilibrium> newton;
   std::deque<Built> built;        // addresses stay
   std::vector<int> which;         // by state: its place in `built`; -1: not asked for
   std::vector<Verdict> verdicts;  // by node and axis: both headings of an axis have the same feet
@@ -123,7 +146,7 @@ const Built& Ground::standing(State state) const {
     const Built& opposite = standing(state - kAxes);
     kept.built.push_back(turned(kept.model, opposite));
   } else {
-    kept.built.push_back(stand(kept.model, *kept.surface, place(node), normal(node), heading, kept.options.clearance));
+    kept.built.push_back(kept.stand_at(place(node), normal(node), heading));
     ++kept.made;
   }
   kept.which[static_cast<std::size_t>(state)] = static_cast<int>(kept.built.size()) - 1;
@@ -137,9 +160,7 @@ bool Ground::stable(State state) const {
     const Built& built = standing(first_of(state));
     bool holds = built.hindrance == Hindrance::kNone;
     if (holds) {
-      // From nothing each time, so that an answer on the very border does not depend on what was asked before.
-      kept.judge.forget();
-      holds = kept.judge.judge(kept.contacts(built.standing), built.standing.centre_of_mass, kept.options.friction).stable;
+      holds = kept.holds(built.standing);
     }
     verdict = holds ? Kept::Verdict::kStable : Kept::Verdict::kUnstable;
   }

@@ -22,6 +22,8 @@ struct GroundOptions {
   double friction = 0.4;
   int cone_edges = 10;     // 0: the exact circular cone
   double clearance = 0.0;  // m, bodies and legs above the ground
+  // Postures by the paper's Newton and centroid tree, verdicts by its Newton: slow, and kept only to be compared with.
+  bool as_printed = false;
 };
 
 // A state of the search: 8 * node + orientation. 0 to 3 are the paper's four axes; half a turn more exchanges A and B.

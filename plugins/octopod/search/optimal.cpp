@@ -4,9 +4,9 @@
 // f = g + h. h: the distance to the goal over the nodes, plus the change of posture to the nearest of the goal's postures. Both are
 // consistent (q is a metric), so a state is closed at its least cost.
 //
-// Lazy (after Cohen, Phillips, Likhachev 2014): a state is promised with a lower bound of f first, which needs no posture of it
-// (triangle inequality: w q(u, v) plus v's change to the goal is at least u's own); its posture and verdict are made when the
-// promise comes up, and whether the edge to it is open is asked when the state itself does.
+// Lazy (after Cohen, Phillips, Likhachev 2014): a node is promised first, with a lower bound of its states' f that needs no posture
+// of them (triangle inequality: w q(u, v) plus v's change to the goal is at least u's own); their postures and verdicts are made
+// when the promise comes up, and whether the edge to a state is open is asked when the state itself does.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,14 +22,14 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-enum class Stage : std::uint8_t { kPromised, kJudged, kClosed, kForbidden };
+enum class Stage : std::uint8_t { kUnknown, kJudged, kClosed, kForbidden };
 
-// f is g + change_left + the distance over the nodes. Of promised states g + change_left is what is known of the two together.
+// f is g + change_left + the distance over the nodes.
 struct Seen {
   double g = kInfinity;
   double change_left = 0.0;  // weighted change to the nearest of the goal's postures
   State parent = -1;
-  Stage stage = Stage::kPromised;
+  Stage stage = Stage::kUnknown;
 };
 
 class Search {
@@ -44,7 +44,9 @@ class Search {
         stop_(stop),
         distances_(distances_to(ground, goal_node)),
         seen_(static_cast<std::size_t>(ground.states())),
-        open_(ground.states()) {
+        promised_(static_cast<std::size_t>(ground.nodes()), kInfinity),
+        looked_at_(static_cast<std::size_t>(ground.nodes())),
+        open_(ground.states() + ground.nodes()) {
     for (State goal = kOrientations * goal_node; goal < kOrientations * (goal_node + 1); ++goal)
       if (allowed(goal)) goals_.push_back(goal);
   }
@@ -72,8 +74,8 @@ class Search {
     return least;
   }
 
-  // Whether the state's posture will do; then it is open with its least cost over the closed states beside it.
-  void judge(State state);
+  // Which states of the node will do; those are open with their least costs over the closed states beside them.
+  void judge(int node);
   // Reaches the state from a closed one beside it, d (m) away, if that is cheaper. Returns whether it is.
   bool offer(State state, State parent, double d) {
     Seen& seen = at(state);
@@ -101,18 +103,22 @@ class Search {
   std::vector<double> distances_;
   std::vector<State> goals_;
   std::vector<Seen> seen_;
+  std::vector<double> promised_;                        // by node: g + change_left of any of its states, at least
+  std::vector<bool> looked_at_;                         // nodes whose promise came up
   std::unordered_map<State, std::vector<State>> shut_;  // by state: from where it was asked for and refused
-  OpenList open_;
+  OpenList open_;                                       // states, and behind them promised nodes
 };
 
-void Search::judge(State state) {
-  if (!allowed(state)) {
-    at(state).stage = Stage::kForbidden;
-    return;
+void Search::judge(int node) {
+  looked_at_[static_cast<std::size_t>(node)] = true;
+  for (State state = kOrientations * node; state < kOrientations * (node + 1); ++state) {
+    Seen& seen = at(state);
+    if (seen.stage != Stage::kUnknown) continue;
+    seen.stage = allowed(state) ? Stage::kJudged : Stage::kForbidden;
+    if (seen.stage == Stage::kForbidden) continue;
+    seen.change_left = change_left(state);
+    choose_parent(state);
   }
-  at(state).stage = Stage::kJudged;
-  at(state).change_left = change_left(state);
-  choose_parent(state);
 }
 
 void Search::choose_parent(State state) {
@@ -145,17 +151,17 @@ void Search::expand(State state) {
   const auto beside = ground_.adjacent(node_of(state));
   const auto lengths = ground_.lengths(node_of(state));
   for (std::size_t k = 0; k < beside.size(); ++k) {
-    const int other = beside[k];
+    const auto other = static_cast<std::size_t>(beside[k]);
     const double promise = self.g + lengths[k] + self.change_left;
-    for (State next = kOrientations * other; next < kOrientations * (other + 1); ++next) {
-      Seen& seen = at(next);
-      if (seen.stage == Stage::kPromised) {
-        if (promise >= seen.g) continue;
-        seen.g = promise;
-        put(next);
-      } else if (seen.stage == Stage::kJudged && promise < seen.g + seen.change_left) {
-        if (offer(next, state, lengths[k])) put(next);
-      }
+    if (!looked_at_[other]) {
+      if (promise >= promised_[other]) continue;
+      promised_[other] = promise;
+      open_.put(ground_.states() + beside[k], promise + distances_[other]);
+      continue;
+    }
+    for (State next = kOrientations * beside[k]; next < kOrientations * (beside[k] + 1); ++next) {
+      const Seen& seen = at(next);
+      if (seen.stage == Stage::kJudged && promise < seen.g + seen.change_left && offer(next, state, lengths[k])) put(next);
     }
   }
 }
@@ -198,9 +204,9 @@ Route Search::run() {
       out.end = Route::End::kStopped;
       break;
     }
-    const State state = open_.pop();
-    if (at(state).stage == Stage::kPromised) {
-      judge(state);
+    const int state = open_.pop();
+    if (state >= ground_.states()) {
+      judge(state - ground_.states());
       continue;
     }
     if (!passable(state)) continue;

@@ -17,7 +17,7 @@ struct RouteOptions {
   double posture_weight = 1.0;  // of q beside d
   long max_states = 100'000'000;
   long samples = 5'000;  // of method rrt
-  double budget = 60.0;   // s, of method rrt: a run that it ends does not repeat itself
+  double budget = 60.0;  // s, of method rrt: a run that it ends does not repeat itself
 };
 
 // May the robot go from one state to the next? Asked when an edge is about to be used; its answers are kept by who gives them.

@@ -85,6 +85,25 @@ TEST(Ground, VerdictsAgreeWithCriticalFriction) {
   EXPECT_GT(unstable, 100);
 }
 
+TEST(Ground, AsPrintedStandsAndIsStableOnTheSameFloor) {
+  GroundOptions printed;
+  printed.as_printed = true;
+  const Ground paper = ground_of(terrain::ramps(), printed), ours = ground_of(terrain::ramps());
+  ASSERT_EQ(paper.nodes(), ours.nodes());
+  int compared = 0;
+  for (int node = 0; node < ours.nodes(); ++node) {
+    if (ours.slope(node) > 1e-9 || ours.place(node).head<2>().norm() > 0.2) continue;
+    for (int axis = 0; axis < kAxes; ++axis) {
+      const State state = kOrientations * node + axis;
+      if (!ours.stands(state) || !paper.stands(state)) continue;
+      EXPECT_LT(paper.standing(state).standing.residual, 1e-9);
+      EXPECT_EQ(paper.stable(state), ours.stable(state)) << state;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 10);
+}
+
 TEST(Ground, RefusesOptionsOutOfRange) {
   GroundOptions options;
   options.friction = -0.1;
