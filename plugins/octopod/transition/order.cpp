@@ -7,8 +7,9 @@
 namespace foothold::octopod {
 namespace {
 
-constexpr double kSway = 0.004;    // m, around the centre of mass at every phase, wherever bodies move
-constexpr double kSlack = 0.0005;  // m, for what a motion's straight pieces leave of the way
+constexpr double kSway = 0.004;      // m, around the centre of mass at every phase, wherever bodies move
+constexpr double kSlack = 0.0005;    // m, for what a motion's straight pieces leave of the way
+constexpr int kMostAttempts = 1500;  // of 503 orders on the ramps none takes more; where there is none it ends the search
 constexpr unsigned kAll = (1U << kLegs) - 1;
 
 class Order {
@@ -31,6 +32,7 @@ class Order {
       const int phase = phase_of(state);
       if (moved == kAll && phase == passage_.phases()) return moves_to(state);
       if (left < best_) best_ = left, farthest_ = state;
+      if (++attempts_ > kMostAttempts) break;
       // One move at a time: most states are left by their first move that works.
       if (tried_[state] == kMoves)
         heads_[static_cast<std::size_t>(left)] = next_[state];
@@ -167,7 +169,7 @@ class Order {
   std::array<std::uint16_t, kStates> next_, from_;             // of states seen
   std::array<std::uint8_t, kStates> tried_;                    // moves tried
   std::uint16_t farthest_ = 0;
-  int best_ = 1000;
+  int best_ = 1000, attempts_ = 0;
 };
 
 }  // namespace
