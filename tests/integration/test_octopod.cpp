@@ -50,6 +50,18 @@ TEST_P(Octopod, StreamsThePapersRouteStepByStep) {
   EXPECT_NEAR(steps.back().message.cost(), end->message.summary().cost(), 1e-9);
 }
 
+TEST_P(Octopod, StreamsTheMotionOfLegsAndBodies) {
+  Daemon daemon(options(GetParam().server));
+  Wire wire(GetParam().client, kDomain);
+  ASSERT_TRUE(wire.connect("octopod"));
+  const msg::Id id = wire.submit(shipped_request("octopod-ditch"));
+  const auto end = wire.final_event(id, 110.0);
+  ASSERT_TRUE(end);
+  ASSERT_EQ(end->message.state(), msg::SUCCEEDED) << describe(end->message);
+  ASSERT_TRUE(wire.wait_for_steps(id, end->message.steps()));
+  for (const auto& step : wire.steps(id)) EXPECT_GT(step.message.motion().size(), 2u);
+}
+
 TEST_P(Octopod, RefusesWithTheFieldAndGoesOn) {
   Daemon daemon(options(GetParam().server));
   Wire wire(GetParam().client, kDomain);

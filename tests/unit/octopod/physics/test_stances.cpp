@@ -1,4 +1,5 @@
-// Stances of planned routes and unstable ones, frozen in MuJoCo: 2,000 and 500 of them with FOOTHOLD_LONG=1, else 160 and 40.
+// Stances of planned routes, unstable ones and instants of motions, frozen in MuJoCo: 2,000, 500 and 500 of them with
+// FOOTHOLD_LONG=1, else 160, 40 and 60.
 #include <cstdio>
 #include <cstdlib>
 #include <set>
@@ -37,20 +38,14 @@ Vector3d inertia_of(const Model& model, const Coordinates& at, const Vector3d& c
   return out;
 }
 
-physics::FrozenStance frozen(const Standing& standing, double friction) {
+physics::FrozenStance frozen(const Coordinates& at, const std::vector<contact::Contact>& contacts, double friction) {
   physics::FrozenStance out;
-  for (const Footing& foot : standing.feet) out.contacts.push_back({foot.point, foot.normal});
-  out.centre_of_mass = standing.centre_of_mass;
+  for (const contact::Contact& contact : contacts) out.contacts.push_back({contact.point, contact.normal});
+  out.centre_of_mass = centre_of_mass(octopod(), at);
   out.mass = octopod().mass();
-  out.inertia = inertia_of(octopod(), standing.at, standing.centre_of_mass);
+  out.inertia = inertia_of(octopod(), at, out.centre_of_mass);
   out.friction = friction;
   return out;
-}
-
-double needed_friction(const Standing& standing) {
-  std::vector<contact::Contact> contacts;
-  for (const Footing& foot : standing.feet) contacts.push_back({foot.point, foot.normal});
-  return contact::critical_friction(contacts, standing.centre_of_mass);
 }
 
 // How the two judges agree: [ours: unstable, stable][near the critical friction, far from it][theirs: moves, stays].
@@ -58,9 +53,15 @@ struct Table {
   int counts[2][2][2] = {};
 
   void add(const Standing& standing, bool stable, double friction) {
-    const double needed = needed_friction(standing), spare = friction / needed - 1.0;
+    std::vector<contact::Contact> contacts;
+    for (const Footing& foot : standing.feet) contacts.push_back({foot.point, foot.normal});
+    add(standing.at, contacts, stable, friction);
+  }
+
+  void add(const Coordinates& at, const std::vector<contact::Contact>& contacts, bool stable, double friction) {
+    const double needed = contact::critical_friction(contacts, centre_of_mass(octopod(), at)), spare = friction / needed - 1.0;
     const bool far = std::abs(spare) > kBand;
-    const physics::Drift drift = physics::let_go(frozen(standing, friction));
+    const physics::Drift drift = physics::let_go(frozen(at, contacts, friction));
     ++counts[stable ? 1 : 0][far ? 1 : 0][drift.moves() ? 0 : 1];
     if (far && stable && drift.moves())
       ADD_FAILURE() << "a stable stance moves " << drift.way << " m; is at " << drift.speed << " m/s, and needs a friction of "
@@ -117,6 +118,43 @@ TEST(Physics, NoStanceOfAPlanMoves) {
   EXPECT_GE(static_cast<int>(unstable.size()), count.unstable);
   unstable.resize(std::min(unstable.size(), static_cast<std::size_t>(count.unstable)));
   for (const State state : unstable) table.add(ground.standing(state).standing, false, ground.options().friction);
+  table.print();
+}
+
+// While one foot is in the air the others carry: 60 such instants of motions, 500 with FOOTHOLD_LONG=1.
+TEST(Physics, NoInstantOfAMotionMoves) {
+  const int wanted = std::getenv("FOOTHOLD_LONG") != nullptr ? 500 : 60;
+  const Parameters values = parameters({{"transitions", "true"}});
+  const auto scene = shared_planner().prepare(shipped("terrain-ditch"), values);
+  const Request request = request_between({-1.5, -1.0, 0.0}, {0.5, 0.25, -0.05});
+  Posture before = shared_planner().start(request, values, *scene);
+  Collector out;
+  ASSERT_EQ(shared_planner().plan(request, values, *scene, out).outcome, PlanReport::Outcome::kReached);
+  Table table;
+  std::size_t points = 0, seen = 0;
+  for (const Step& step : out.steps) points += step.motion.size();
+  const std::size_t every = std::max<std::size_t>(1, points / static_cast<std::size_t>(wanted));
+  int on_seven = 0;
+  for (const Step& step : out.steps) {
+    for (const MotionPoint& point : step.motion) {
+      if (seen++ % every != 0) continue;
+      const Coordinates at = from_posture({point.base, point.joints, {}});
+      std::vector<contact::Contact> contacts;
+      for (std::size_t k = 0; k < kLegs; ++k) {
+        const Vector3d foot = leg(octopod(), at, static_cast<int>(k)).foot;
+        for (const Posture* posture : {static_cast<const Posture*>(&before), &step.after}) {
+          const Isometry3d& frame = posture->stance[k].frame;
+          if ((foot - frame.translation()).norm() > 1e-6) continue;
+          contacts.push_back({frame.translation(), frame.linear().col(2)});
+          break;
+        }
+      }
+      on_seven += contacts.size() == 7 ? 1 : 0;
+      table.add(at, contacts, true, values.real("friction"));
+    }
+    before = step.after;
+  }
+  EXPECT_GT(on_seven, wanted / 4);
   table.print();
 }
 
