@@ -18,7 +18,7 @@
 #include "figures.hpp"
 #include "foothold/robot_file.hpp"
 #include "octopod/search/route.hpp"
-#include "octopod/transition/transition.hpp"
+#include "octopod/steps.hpp"
 #include "terrain/generate.hpp"
 
 namespace {
@@ -133,7 +133,7 @@ Walked walked(const Ground& ground, const Vector3d& goal, double budget) {
   const Edge edge = [&](State a, State b) {
     ++out.asked;
     if (now_ms() - begin > budget) stop.request_stop();
-    return has_transition(ground, ground.standing(a).standing, ground.standing(b).standing, 0.04);
+    return has_transitions(ground, ground.standing(a).standing, ground.standing(b).standing, 0.04);
   };
   out.ms = time_ms([&] { out.route = optimal_route(ground, from, ground.nearest_node(goal), {}, edge, stop.get_token()); });
   return out;
