@@ -1,3 +1,4 @@
+// Forces that a checker accepts, and the least friction by halving.
 #include "octopod/check/balance.hpp"
 
 #include "contact/certificate.hpp"

@@ -1,3 +1,4 @@
+// Places on their convex hull, each before the judge of equilibrium.
 #include "octopod/check/carrying.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// One step: what is placed, how it stands, its equilibrium, its motion; margins.
 #include "octopod/check/check.hpp"
 
 #include <algorithm>

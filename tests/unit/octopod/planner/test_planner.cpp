@@ -83,6 +83,20 @@ TEST(Planner, TellsWhatIsInTheWay) {
   EXPECT_TRUE(out.steps.empty());
 }
 
+// A flight of steps whose third riser is as high as the body.
+TEST(Planner, NamesTheCutWhereNoRouteLeads) {
+  const Parameters values = parameters();
+  const auto scene = shared_planner().prepare(shipped("terrain-stairs"), values);
+  Collector out;
+  const PlanReport report = shared_planner().plan(request_between({-1.6, 0.0, 0.0}, {1.6, 0.0, 0.5289}), values, *scene, out);
+  EXPECT_EQ(report.outcome, Outcome::kFailed);
+  EXPECT_EQ(report.error, PlanError::kNoPath);
+  EXPECT_NE(report.message.find("separate start and goal"), std::string::npos) << report.message;
+  EXPECT_NE(report.message.find("a body touches the ground"), std::string::npos) << report.message;
+  EXPECT_GT(figure(report, "states of the cut"), 0.0);
+  EXPECT_TRUE(out.steps.empty());
+}
+
 TEST(Planner, GivesUpAtTheLimitOfStates) {
   const Parameters values = parameters({{"max_states", "5"}});
   Collector out;
