@@ -11,8 +11,8 @@ inline constexpr ParameterSpec kParameters[] = {
     {"stability", ParameterKind::kFlag, "", "true", 0, 0, "",
      "Unstable stances are forbidden (paper: dear); if false they are as good as others, and the plan is not safe"},
     {"transitions", ParameterKind::kFlag, "", "false", 0, 0, "",
-     "Only from stance to stance where legs can be moved one after the other in equilibrium; each step carries that motion. Not "
-     "all that stand can be joined so: on the paper's terrain its goals cannot"},
+     "Only from stance to stance where legs can be moved one after the other in equilibrium; each step carries that motion. Takes "
+     "longer, and a finer resolution where stances are far apart"},
     {"friction", ParameterKind::kReal, "1", "0.4", 0.01, 10.0, "", "Coefficient between feet and terrain"},
     {"cone_edges", ParameterKind::kInteger, "1", "10", 0, 256, "",
      "Edges of the pyramid inscribed in a friction cone, 3 at least; 0: the exact cone"},
