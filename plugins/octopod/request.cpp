@@ -50,6 +50,9 @@ std::string refusal(const Ground& ground, const Options& options, State state) {
       out << "needs a friction of " << needed << ", " << options.ground.friction << " is there";
     else
       out << "no friction is enough";
+  } else if (options.route.stability && ground.slope(node_of(state)) > options.route.steepest) {
+    out << "the ground falls by " << ground.slope(node_of(state)) << " rad, at most " << options.route.steepest
+        << " are allowed (parameter node_slope)";
   }
   return out.str();
 }
@@ -72,12 +75,14 @@ Options read_options(const Parameters& parameters) {
   out.ground.cone_edges = static_cast<int>(parameters.integer("cone_edges"));
   out.ground.clearance = parameters.real("clearance");
   out.route.stability = parameters.flag("stability");
+  if (out.ground.cone_edges == 1 || out.ground.cone_edges == 2)
+    invalid("parameters.cone_edges", "must be 0 (the exact cone) or 3 at least, is ", out.ground.cone_edges);
+  const double steepest = parameters.real("node_slope");
+  out.route.steepest = steepest > 0.0 ? steepest : steepest_held(out.ground.friction, out.ground.cone_edges);
   out.route.weights = {parameters.real("place_weight"), parameters.real("orientation_weight"), parameters.real("joint_weight")};
   out.route.posture_weight = parameters.real("posture_weight");
   out.route.max_states = parameters.integer("max_states");
   out.route.samples = parameters.integer("samples");
-  if (out.ground.cone_edges == 1 || out.ground.cone_edges == 2)
-    invalid("parameters.cone_edges", "must be 0 (the exact cone) or 3 at least, is ", out.ground.cone_edges);
   if (out.transitions && out.method == Method::kPaper)
     invalid("parameters.transitions", "are not known to method paper; set transitions to false with it");
   if (out.transitions && !out.route.stability)

@@ -25,8 +25,6 @@ std::string format(const char* pattern, auto... values) {
   return text;
 }
 
-bool will_do(const Ground& ground, State state, bool stability) { return stability ? ground.stable(state) : ground.stands(state); }
-
 // The state of the node that lacks least: any that will do, then the one of least critical friction.
 State best_of(const Ground& ground, int node, const std::vector<State>& among) {
   State best = -1;
@@ -74,32 +72,34 @@ std::vector<State> cut(const Ground& ground, const std::vector<bool>& reached, i
   return out;
 }
 
-std::string describe_state(const Ground& ground, State state, bool stability) {
+std::string describe_state(const Ground& ground, State state, const RouteOptions& options) {
   const int node = node_of(state);
   const Vector3d& p = ground.place(node);
   const std::string where =
       format("(%.2f, %.2f, %.2f), slope %.1f deg: ", p.x(), p.y(), p.z(), ground.slope(node) * 180.0 / std::numbers::pi);
   const Built& built = ground.standing(state);
   if (built.hindrance != Hindrance::kNone) return where + reason(built);
-  if (will_do(ground, state, stability)) return where + "stands, but no transition leads there";
+  if (allowed(ground, state, options)) return where + "stands, but no transition leads there";
+  if (options.stability && ground.stable(state))
+    return where + format("steeper than %.1f deg, over which the robot may not stand", options.steepest * 180.0 / std::numbers::pi);
   const double least = ground.critical_friction(state);
   if (!std::isfinite(least)) return where + "no friction would hold the robot";
   return where + format("needs friction %.2f, has %.2f", least, ground.options().friction);
 }
 
-Route blocked(const Ground& ground, const std::vector<bool>& reached, State from, int goal_node, bool stability) {
+Route blocked(const Ground& ground, const std::vector<bool>& reached, State from, int goal_node, const RouteOptions& options) {
   Route out;
   out.end = Route::End::kNoPath;
   const std::vector<State> goals = states_of(goal_node);
-  const auto forbidden = [&](State state) { return !will_do(ground, state, stability); };
+  const auto forbidden = [&](State state) { return !allowed(ground, state, options); };
   if (forbidden(from)) {
     out.cut = {from};
-    out.blocked = "the start itself: " + describe_state(ground, from, stability);
+    out.blocked = "the start itself: " + describe_state(ground, from, options);
     return out;
   }
   if (std::all_of(goals.begin(), goals.end(), forbidden)) {
     out.cut = goals;
-    out.blocked = "the goal itself: " + describe_state(ground, best_of(ground, goal_node, goals), stability);
+    out.blocked = "the goal itself: " + describe_state(ground, best_of(ground, goal_node, goals), options);
     return out;
   }
   out.cut = cut(ground, reached, goal_node);
@@ -112,7 +112,7 @@ Route blocked(const Ground& ground, const std::vector<bool>& reached, State from
     if (nodes.empty() || nodes.back() != node_of(state)) nodes.push_back(node_of(state));
   out.blocked = format("%zu states at %zu places separate start and goal; nearest to the goal: ", out.cut.size(), nodes.size());
   for (std::size_t k = 0; k < std::min(kDescribed, nodes.size()); ++k)
-    out.blocked += (k > 0 ? "; " : "") + describe_state(ground, best_of(ground, nodes[k], out.cut), stability);
+    out.blocked += (k > 0 ? "; " : "") + describe_state(ground, best_of(ground, nodes[k], out.cut), options);
   return out;
 }
 

@@ -11,9 +11,9 @@ namespace foothold::octopod {
 std::vector<State> cut(const Ground& ground, const std::vector<bool>& reached, int goal_node);
 
 // The answer of a search that reached all it could. Where the start or the goal itself will not do, that is the cut.
-Route blocked(const Ground& ground, const std::vector<bool>& reached, State from, int goal_node, bool stability);
+Route blocked(const Ground& ground, const std::vector<bool>& reached, State from, int goal_node, const RouteOptions& options);
 
 // What a state lacks: "(0.31, 0.52, -0.33), slope 33.1 deg: needs friction 0.65, has 0.40".
-std::string describe_state(const Ground& ground, State state, bool stability);
+std::string describe_state(const Ground& ground, State state, const RouteOptions& options);
 
 }  // namespace foothold::octopod

@@ -7,7 +7,7 @@
 
 namespace foothold::octopod {
 
-std::vector<double> distances_to(const Ground& ground, int goal_node) {
+std::vector<double> distances_to(const Ground& ground, int goal_node, double steepest) {
   std::vector<double> out(static_cast<std::size_t>(ground.nodes()), std::numeric_limits<double>::infinity());
   OpenList open(ground.nodes());
   out[static_cast<std::size_t>(goal_node)] = 0.0;
@@ -20,7 +20,7 @@ std::vector<double> distances_to(const Ground& ground, int goal_node) {
     for (std::size_t k = 0; k < beside.size(); ++k) {
       const double over = far + lengths[k];
       double& least = out[static_cast<std::size_t>(beside[k])];
-      if (over >= least) continue;
+      if (over >= least || ground.slope(beside[k]) > steepest) continue;
       least = over;
       open.put(beside[k], over);
     }

@@ -7,7 +7,8 @@
 
 namespace foothold::octopod {
 
-// By node: least sum of d to the goal along Ground::adjacent(), m; infinity where there is no way. Dijkstra from the goal.
-std::vector<double> distances_to(const Ground& ground, int goal_node);
+// By node: least sum of d to the goal along Ground::adjacent() over nodes no steeper than `steepest` (rad), m; infinity where there
+// is no way. Dijkstra from the goal.
+std::vector<double> distances_to(const Ground& ground, int goal_node, double steepest);
 
 }  // namespace foothold::octopod

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <unordered_map>
 
 #include "octopod/search/cut.hpp"
@@ -42,11 +43,14 @@ class Search {
         options_(options),
         edge_(edge),
         stop_(stop),
-        distances_(distances_to(ground, goal_node)),
+        distances_(distances_to(ground, goal_node, options.stability ? options.steepest : std::numbers::pi)),
         seen_(static_cast<std::size_t>(ground.states())),
         promised_(static_cast<std::size_t>(ground.nodes()), kInfinity),
         looked_at_(static_cast<std::size_t>(ground.nodes())),
         open_(ground.states() + ground.nodes()) {
+    // With no way over nodes that are gentle enough, the search still shows what it reaches and where that ends.
+    if (distances_[static_cast<std::size_t>(node_of(from))] == kInfinity)
+      distances_ = distances_to(ground, goal_node, std::numbers::pi);
     for (State goal = kOrientations * goal_node; goal < kOrientations * (goal_node + 1); ++goal)
       if (allowed(goal)) goals_.push_back(goal);
   }
@@ -55,7 +59,7 @@ class Search {
 
  private:
   Seen& at(State state) { return seen_[static_cast<std::size_t>(state)]; }
-  bool allowed(State state) const { return options_.stability ? ground_.stable(state) : ground_.stands(state); }
+  bool allowed(State state) const { return octopod::allowed(ground_, state, options_); }
   // Open with what f is now, unless the goal is out of reach from there.
   void put(State state) {
     const Seen& seen = at(state);
@@ -184,7 +188,7 @@ Route Search::no_path() {
   std::vector<bool> reached(seen_.size());
   std::transform(seen_.begin(), seen_.end(), reached.begin(), [](const Seen& seen) { return seen.stage == Stage::kClosed; });
   reached[static_cast<std::size_t>(from_)] = true;
-  return blocked(ground_, reached, from_, goal_node_, options_.stability);
+  return blocked(ground_, reached, from_, goal_node_, options_);
 }
 
 Route Search::run() {

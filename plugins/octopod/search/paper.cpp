@@ -36,7 +36,7 @@ Choice best_orientation(const Ground& ground, State from, int node, const RouteO
     if (!ground.stands(state)) continue;
     const double q =
         options.posture_weight * change(ground.standing(from).standing, ground.standing(state).standing, options.weights);
-    const double e = options.stability && !ground.stable(state) ? kPenalty : 0.0;
+    const double e = options.stability && !allowed(ground, state, options) ? kPenalty : 0.0;
     if (q + e < best.cost) best = {state, q + e};
   }
   return best;
@@ -51,7 +51,7 @@ void write_route(const Ground& ground, const std::vector<Node>& nodes, int goal,
   for (std::size_t k = 1; k < out.states.size(); ++k) {
     out.cost += step_cost(ground, out.states[k - 1], out.states[k], options);
     out.costs.push_back(out.cost);
-    if (options.stability && !ground.stable(out.states[k])) ++out.penalised;
+    if (options.stability && !allowed(ground, out.states[k], options)) ++out.penalised;
   }
 }
 
@@ -75,7 +75,9 @@ Route paper_route(const Ground& ground, State from, int goal_node, const RouteOp
         if (node.explored) reached[static_cast<std::size_t>(node.state)] = true;
       const double bound = out.bound;
       const long expanded = out.expanded;
-      out = blocked(ground, reached, from, goal_node, false);
+      RouteOptions careless = options;  // what only stability forbids is dear to it, never forbidden
+      careless.stability = false;
+      out = blocked(ground, reached, from, goal_node, careless);
       out.bound = bound;
       out.expanded = expanded;
       break;

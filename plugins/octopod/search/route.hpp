@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <numbers>
 #include <random>
 #include <stop_token>
 #include <string>
@@ -13,12 +14,22 @@ namespace foothold::octopod {
 
 struct RouteOptions {
   bool stability = true;  // unstable states are forbidden; else they are as good as others
+  // rad, with stability: steeper nodes are forbidden, too, though the robot may stand over a narrow one with its feet braced
+  // across; in method paper they are as dear as
+  // unstable ones.
+  double steepest = std::numbers::pi;
   ChangeWeights weights;
   double posture_weight = 1.0;  // of q beside d
   long max_states = 100'000'000;
   long samples = 5'000;  // of method rrt
   double budget = 60.0;  // s, of method rrt: a run that it ends does not repeat itself
 };
+
+// May a route go through a state?
+bool allowed(const Ground& ground, State state, const RouteOptions& options);
+// The steepest plane on which the friction cone (0 edges: circular) always holds the robot, rad: with a pyramid, whichever way it
+// is turned.
+double steepest_held(double friction, int cone_edges);
 
 // May the robot go from one state to the next? Asked when an edge is about to be used; its answers are kept by who gives them.
 using Edge = std::function<bool(State from, State to)>;

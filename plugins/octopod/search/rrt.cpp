@@ -63,7 +63,7 @@ class Space final : public ob::DiscreteStateSpace {
     write(out, best_heading(read(from), next));
     steered_ = true;
   }
-  bool allowed(State state) const { return options_.stability ? ground_.stable(state) : ground_.stands(state); }
+  bool allowed(State state) const { return octopod::allowed(ground_, state, options_); }
   // Whether the motion that is asked for next is one that interpolate() made: a new state of the tree.
   bool take_steered() const { return std::exchange(steered_, false); }
 

@@ -40,12 +40,16 @@ TEST_P(Points, TheStablePathIsDearerAndTheOtherGoesWhereTheRobotSlips) {
   const Ground ground = ground_of(terrain::ramps());
   const State from = state_at(ground, kO);
   const int goal = ground.nearest_node(GetParam());
-  const Route stable = optimal_route(ground, from, goal, {}, {}, {});
+  RouteOptions careful;
+  careful.steepest = steepest_held(0.4, 10);
+  EXPECT_NEAR(careful.steepest, kSteepest, 1e-12);
+  const Route stable = optimal_route(ground, from, goal, careful, {}, {});
   ASSERT_EQ(stable.end, Route::End::kFound) << stable.blocked;
   for (const State state : stable.states) {
     EXPECT_TRUE(ground.stable(state));
     EXPECT_FALSE(clings(ground, state));
   }
+  EXPECT_LE(steepest(ground, stable), kSteepest);
   RouteOptions careless;
   careless.stability = false;
   const Route steep = optimal_route(ground, from, goal, careless, {}, {});
