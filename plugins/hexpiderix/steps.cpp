@@ -6,7 +6,8 @@
 namespace foothold::hexpiderix {
 namespace {
 
-constexpr int kPoints = 32;  // of the thorax' way
+constexpr int kPoints = 32;      // of the thorax' way
+constexpr int kPointsDown = 16;  // of a foot that comes down
 
 double slowest(const Joints& a, const Joints& b) {
   double most = 0.0;
@@ -44,15 +45,21 @@ std::vector<MotionPoint> adapting_motion(const Model& model, const Start& from, 
   add(model, at, at, out);
   const Legs joining = to.footholds.supports & ~from.situation.footholds.supports;
   if (joining.any()) {
-    Coordinates down = at;
-    for (std::size_t leg = 0; leg < kLegs; ++leg) {
-      if (!joining[leg]) continue;
-      const auto joints = reach(model, leg, at.thorax.inverse() * to.footholds.points[leg]);
-      if (!joints) return {};
-      down.legs[leg] = *joints;
+    const Isometry3d to_thorax = at.thorax.inverse();
+    std::array<Vector3d, kLegs> above{};
+    for (std::size_t leg = 0; leg < kLegs; ++leg) above[leg] = leg_points(model, leg, at.legs[leg]).foot;
+    for (int k = 1; k <= kPointsDown; ++k) {
+      const double part = static_cast<double>(k) / kPointsDown;
+      Coordinates next = at;
+      for (std::size_t leg = 0; leg < kLegs; ++leg) {
+        if (!joining[leg]) continue;
+        const auto joints = reach(model, leg, above[leg] + part * (to_thorax * to.footholds.points[leg] - above[leg]));
+        if (!joints) return {};
+        next.legs[leg] = *joints;
+      }
+      add(model, next, at, out);
+      at = next;
     }
-    add(model, down, at, out);
-    at = down;
   }
   const Isometry3d begin = at.thorax, end = to.evaluation.at.thorax;
   const Eigen::Quaterniond q0(begin.linear()), q1(end.linear());

@@ -60,7 +60,8 @@ Contacting nearest_trouble(const Model& model, const Coordinates& at, const Plan
   std::array<Leg, kLegs> legs;
   for (std::size_t i = 0; i < kLegs; ++i) {
     legs[i] = leg_at(model, at, i);
-    double low = std::min(ground.above(legs[i].hip), ground.above(legs[i].knee)) - model.leg_radius;
+    const Vector3d ankle = legs[i].foot + model.toe / model.leg.tibia * (legs[i].knee - legs[i].foot);
+    double low = std::min({ground.above(legs[i].hip), ground.above(legs[i].knee), ground.above(ankle)}) - model.leg_radius;
     if (!supports[i]) low = std::min(low, ground.above(legs[i].foot));
     // A foot raised to exactly the clearance has it.
     if (low < clearance - 1e-9) return {Fault::kLegOnGround, i, i, low};

@@ -4,34 +4,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <random>
-#include <sstream>
 
+#include "../grounds.hpp"
 #include "../slopes.hpp"
 #include "hexpiderix/check/check.hpp"
 #include "hexpiderix/steps.hpp"
 
 namespace foothold::hexpiderix::testing {
 namespace {
-
-// A strip that falls by `first` up to x = 0 and by `second` behind it, both along +x; turned about z by `direction`.
-std::string bent_ground(double first, double second, double direction) {
-  std::ostringstream out;
-  out.precision(17);
-  out << "kind: terrain\nvertices: [";
-  const double xs[] = {-2.5, 0.0, 2.5};
-  bool comma = false;
-  for (const double x : xs)
-    for (const double y : {-2.5, 2.5}) {
-      const double z = x < 0.0 ? -x * std::tan(first) : -x * std::tan(second);
-      out << (comma ? ", " : "") << "[" << x * std::cos(direction) - y * std::sin(direction) << ", "
-          << x * std::sin(direction) + y * std::cos(direction) << ", " << z << "]";
-      comma = true;
-    }
-  out << "]\ntriangles: [[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]]\n";
-  return out.str();
-}
-
-Vector3d on(const Ground& ground, double x, double y) { return {x, y, ground.surface().height(x, y).value()}; }
 
 // Judges every half cycle as the host does.
 void judge_all(const Ground& ground, const Stand& from, const Walk& found, const WalkOptions& options) {
