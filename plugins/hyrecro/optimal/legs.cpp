@@ -17,8 +17,6 @@ constexpr std::array<double, 5> kAside{0.0, 0.025, -0.025, 0.06, -0.06};  // m, 
 constexpr std::array<double, 5> kShares{0.0, 1.0, 0.5, 0.75, 0.25};       // between shortest and longest; 0: even
 constexpr std::array<double, 3> kRound{0.25, 0.35, 0.45};                 // m, where ends are too near each other
 constexpr std::array<double, 4> kFooting{0.3, 0.2, 0.4, 0.13};            // m, round a foothold
-constexpr double kFineStep = 0.02;                                        // m
-constexpr int kFineTurns = 24;
 constexpr double kBesideRoom = 0.05;  // m: so far beside the room for a plate in line with the edges an end may stand
 constexpr double kNear = 0.15;        // m: ends nearer than this are
 
@@ -112,18 +110,8 @@ bool Legs::has_footing(const Foothold& u, bool thorough) {
         if (heading == quarter(to)) break;
       }
     }
-  if (!thorough) return false;
-  if (std::any_of(around.begin(), around.end(), [&](const Foothold& next) { return strides_.exact(next, u); })) return true;
-  // Nothing in closed form at the likely places: at all places of a fine lattice before the answer is no.
-  for (double x = -bounds_.reach(); x <= bounds_.reach(); x += kFineStep)
-    for (double y = -bounds_.reach(); y <= bounds_.reach(); y += kFineStep)
-      for (int turn = 0; turn < kFineTurns; ++turn) {
-        const Foothold next{u.face, u.at + Vector2d(x, y), u.heading + turn * 2.0 * std::numbers::pi / kFineTurns};
-        if (least_anywhere(next, u) != 1 || !strides_.on_face(next)) continue;
-        ++tried_;
-        if (strides_.level(next, u)) return true;
-      }
-  return false;
+  return thorough &&
+         std::any_of(around.begin(), around.end(), [&](const Foothold& next) { return strides_.exact(next, u).has_value(); });
 }
 
 std::optional<Coordinates> Legs::judge(const Foothold& from, const Foothold& to, bool last) {

@@ -39,7 +39,8 @@ class Legs {
   // What a leg along the face takes about: least(), or more where the straight way leaves the face.
   int likely(const Foothold& u, const Foothold& v);
 
-  // Whether any stride leads to `u` from around; what stands in a corner where none does has no legs at all.
+  // Whether a stride leads to `u` from a likely place around; legs to where none does are not looked for. gates.hpp finds what
+  // leads there all the same.
   // `thorough`: asked by exact reachability where the closed form finds none.
   bool has_footing(const Foothold& u, bool thorough);
 

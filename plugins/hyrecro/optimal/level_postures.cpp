@@ -12,6 +12,9 @@ using Eigen::Vector2d;
 constexpr int kCells = 64;  // of the table; narrow where the shift is nearly the greatest
 // Where in the interval of heights that both shifts leave, in turn.
 constexpr std::array<double, 4> kHeights{0.5, 0.9, 0.1, 0.7};
+constexpr int kAngles = 8192;
+constexpr double kLeastAbove = 2e-5;                                                         // m, above the lowest height
+constexpr std::array<double, 9> kAbove{0.0, 0.003, 0.02, 0.06, 0.15, 0.3, 0.5, 0.75, 0.97};  // shares of all heights
 
 }  // namespace
 
@@ -38,6 +41,49 @@ LevelPostures::LevelPostures(const Model& model, double greatest_shift) : model_
     if (found.high >= found.low) found = {limit(found.low, found.low - top / steps), limit(found.high, found.high + top / steps)};
     table_.push_back(found);
   }
+}
+
+// By angles, each of which allows an interval of heights; of each run of angles that allow a height the ends and the middle.
+std::vector<LevelPostures::Level> LevelPostures::spread() const {
+  std::vector<Level> out;
+  const double most = model_.mechanism.greatest_phi();
+  const auto heights_at = [&](int i) {
+    const double phi = most * i / kAngles;
+    const kinematics::Interval y = model_.mechanism.offsets(phi);
+    if (y.empty()) return Heights{};
+    return Heights{std::cos(phi) * (2.0 * y.low - model_.core), std::cos(phi) * (2.0 * y.high - model_.core)};
+  };
+  std::vector<Heights> by_angle;
+  double lowest = 1e9, highest = 0.0;
+  for (int i = 0; i <= kAngles; ++i) {
+    by_angle.push_back(heights_at(i));
+    if (by_angle.back().high < by_angle.back().low) continue;
+    lowest = std::min(lowest, by_angle.back().low);
+    highest = std::max(highest, by_angle.back().high);
+  }
+  for (const double above : kAbove) {
+    const double height = lowest + kLeastAbove + above * (highest - lowest);
+    Level level{height, {}};
+    const auto shift = [&](int i) { return height * std::tan(most * i / kAngles); };
+    int first = -1;
+    for (int i = 0; i <= kAngles + 1; ++i) {
+      const bool possible = i <= kAngles && by_angle[static_cast<std::size_t>(i)].low <= height &&
+                            height <= by_angle[static_cast<std::size_t>(i)].high;
+      if (possible && first < 0) first = i;
+      if (possible || first < 0) continue;
+      for (const int angle : {i - 1, (first + i - 1) / 2, first})
+        for (const double sense : {1.0, -1.0}) level.shifts.push_back(sense * shift(angle));
+      first = -1;
+    }
+    out.push_back(std::move(level));
+  }
+  return out;
+}
+
+std::optional<Coordinates> LevelPostures::posture(double shift0, double shift1, double height, double tau, double heading) const {
+  const std::optional<Leg> leg0 = leg(shift0, height), leg1 = leg(shift1, height);
+  if (!leg0 || !leg1) return std::nullopt;
+  return Coordinates{{*leg0, *leg1}, {wrapped(tau), wrapped(tau - heading)}};
 }
 
 LevelPostures::Heights LevelPostures::heights(double shift) const {

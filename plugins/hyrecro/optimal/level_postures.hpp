@@ -22,6 +22,17 @@ class LevelPostures {
   // it returns true: then true. All are within the limits; collisions are the caller's.
   bool any(const Eigen::Vector2d& place, double heading, const std::function<bool(const Coordinates&)>& take) const;
 
+  // Hips' heights from the lowest on, and shifts of either leg that each allows, least and most among them; for searches by
+  // posture.
+  struct Level {
+    double height = 0.0;
+    std::vector<double> shifts;  // m
+  };
+  std::vector<Level> spread() const;  // takes a millisecond
+  // With the shifts of the two legs, the hip plate's direction `tau` and the free sole's `heading` (rad), seen from the sole that
+  // holds; empty out of limits.
+  std::optional<Coordinates> posture(double shift0, double shift1, double height, double tau, double heading) const;
+
  private:
   struct Heights {
     double low = 0.0, high = -1.0;  // m, of the upper pin above the ankle pin

@@ -1,7 +1,9 @@
 #include "hyrecro/optimal/optimal.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "hyrecro/optimal/gates.hpp"
 #include "hyrecro/optimal/reasons.hpp"
 
 namespace foothold::hyrecro {
@@ -58,19 +60,21 @@ void hold_costs(const PreparedTruss& scene, const OptimalOptions& options, const
   out.lower_bound = out.optimal ? out.cost : std::min(out.lower_bound, out.cost);
 }
 
-}  // namespace
-
-Found plan_optimal(const Model& model, const PreparedTruss& scene, const Foothold& start, const Foothold& goal,
-                   const OptimalOptions& options, const std::stop_token& stop, const OnStride& on_stride) {
+// As plan_optimal(), without what leads round ends that are hemmed in: `ends` tells which these are, if there is no route.
+struct Ends {
+  bool start = false, goal = false;
+};
+Found plan_between(const Model& model, const PreparedTruss& scene, KeptTruss& kept, const Foothold& start, const Foothold& goal,
+                   const OptimalOptions& options, const std::stop_token& stop, Ends& hemmed) {
   Found out;
-  KeptTruss& kept = kept_of(model, scene, options.lift);
   out.objective = in_words(options, kept.large());
   TrussGraph graph(model, scene, kept, start, goal, options);
-  for (const auto& [end, field] : {std::pair(graph.start(), "start"), std::pair(graph.goal(), "goal")})
-    if (!same(start, goal) && graph.hemmed_in(end)) {
-      out.failure = hemmed_in(scene, graph.at(end), field);
-      return out;
-    }
+  if (!same(start, goal)) hemmed = {graph.hemmed_in(graph.start()), graph.hemmed_in(graph.goal())};
+  if (hemmed.start || hemmed.goal) {
+    const int end = hemmed.start ? graph.start() : graph.goal();
+    out.failure = hemmed_in(scene, graph.at(end), hemmed.start ? "start" : "goal");
+    return out;
+  }
   SearchResult result = search_route(graph, options.max_nodes, stop);
   if (result.outcome == SearchResult::Outcome::kNone && graph.guessed()) {
     graph.stop_guessing();  // what is said to be unreachable is so without guesses
@@ -88,6 +92,7 @@ Found plan_optimal(const Model& model, const PreparedTruss& scene, const Foothol
       return out;
     case SearchResult::Outcome::kNone:
       out.failure = why_unreachable(graph, scene, kept, stop);
+      hemmed = {!kept.legs.has_footing(start, false), !kept.legs.has_footing(goal, false)};
       return out;
     case SearchResult::Outcome::kFound:
       break;
@@ -97,6 +102,56 @@ Found plan_optimal(const Model& model, const PreparedTruss& scene, const Foothol
   for (const Hop& hop : result.hops)
     for (Stride& stride : graph.strides_of(hop)) out.route.strides.push_back(std::move(stride));
   hold_costs(scene, options, result, out);
+  return out;
+}
+
+// Routes through the gates of ends that are hemmed in; the best of them. No proof but that of the straight way.
+Found plan_through_gates(const Model& model, const PreparedTruss& scene, KeptTruss& kept, const Foothold& start,
+                         const Foothold& goal, const OptimalOptions& options, const std::stop_token& stop, const Ends& hemmed) {
+  const Banned banned = banned_by(options.banned);
+  const auto ways = [&](const Foothold& end, bool by_gates) {
+    return by_gates ? gates(kept.strides, kept.legs, *kept.filter, end, banned, stop) : std::vector<Stride>{{end, {}}};
+  };
+  Found best;
+  const std::vector<Stride> from = ways(start, hemmed.start);
+  if (from.empty()) return best;
+  const std::vector<Stride> to = ways(goal, hemmed.goal);
+  const bool steps = options.objective == Objective::kSteps;
+  for (const Stride& first : from)
+    for (const Stride& last : to) {
+      Ends none;
+      Found one = plan_between(model, scene, kept, first.to, last.to, options, stop, none);
+      if (one.outcome != Found::Outcome::kReached) continue;
+      std::vector<Stride>& strides = one.route.strides;
+      if (hemmed.start) strides.insert(strides.begin(), first);
+      if (hemmed.goal) strides.push_back({goal, swapped(last.coordinates)});
+      one.route.start = start;
+      one.cost = steps ? static_cast<double>(strides.size()) : length_of(scene.truss, one.route);
+      if (best.outcome == Found::Outcome::kReached && best.cost <= one.cost) continue;
+      best = std::move(one);
+    }
+  const double straight = (pose_of(scene.truss, goal).translation() - pose_of(scene.truss, start).translation()).norm();
+  best.lower_bound = steps ? std::ceil(straight / kept.strides.bounds().transition_reach() - kSameCost) : straight;
+  best.optimal = best.cost - best.lower_bound <= kSameCost;
+  best.objective += "; hardly any stride leads to or from an end, so through a few of these";
+  return best;
+}
+
+}  // namespace
+
+Found plan_optimal(const Model& model, const PreparedTruss& scene, const Foothold& start, const Foothold& goal,
+                   const OptimalOptions& options, const std::stop_token& stop, const OnStride& on_stride) {
+  KeptTruss& kept = kept_of(model, scene, options.lift);
+  Ends hemmed;
+  Found out = plan_between(model, scene, kept, start, goal, options, stop, hemmed);
+  if (out.outcome == Found::Outcome::kFailed && (hemmed.start || hemmed.goal)) {
+    Found through = plan_through_gates(model, scene, kept, start, goal, options, stop, hemmed);
+    if (through.outcome == Found::Outcome::kReached)
+      out = std::move(through);
+    else if (stop.stop_requested())
+      out.outcome = Found::Outcome::kStopped;
+  }
+  if (out.outcome != Found::Outcome::kReached) return out;
   if (on_stride)
     for (const Stride& stride : out.route.strides)
       if (!on_stride(stride)) {

@@ -15,17 +15,18 @@ std::optional<Coordinates> Strides::level(const Foothold& from, const Foothold& 
   const Eigen::Rotation2Dd back(-from.heading);
   const Isometry3d holding = pose_of(scene_.truss, from);
   std::optional<Coordinates> out;
-  const auto room = [&](const Coordinates& c) {
-    return lift_ == 0.0 || (lifted(model_, c, lift_) && lifted(model_, swapped(c), lift_));
-  };
   level_.any(back * (to.at - from.at), to.heading - from.heading, [&](const Coordinates& coordinates) {
-    if (!room(coordinates)) return false;
-    const Bodies bodies = bodies_at(model_, coordinates, holding);
-    if (!free_of_itself(bodies, scene_.clearance) || !scene_.obstacles.free(bodies, scene_.clearance)) return false;
+    if (!fits(coordinates, holding)) return false;
     out = coordinates;
     return true;
   });
   return out;
+}
+
+bool Strides::fits(const Coordinates& coordinates, const Isometry3d& holding) const {
+  if (lift_ != 0.0 && !(lifted(model_, coordinates, lift_) && lifted(model_, swapped(coordinates), lift_))) return false;
+  const Bodies bodies = bodies_at(model_, coordinates, holding);
+  return free_of_itself(bodies, scene_.clearance) && scene_.obstacles.free(bodies, scene_.clearance);
 }
 
 std::optional<Coordinates> Strides::exact(const Foothold& from, const Foothold& to) {

@@ -32,6 +32,9 @@ class Strides {
   std::optional<Coordinates> exact(const Foothold& from, const Foothold& to);
   // Reachable whatever the scene. `free_in_holding`: pose of the free sole seen from the other.
   std::optional<Coordinates> alone(const Isometry3d& free_in_holding);
+  // The robot stands free of itself and of the scene, with room to rise.
+  bool fits(const Coordinates& coordinates, const Isometry3d& holding) const;
+  const LevelPostures& level_postures() const { return level_; }
   // The robot stands free of the scene.
   bool clear(const Coordinates& coordinates, const Isometry3d& holding) const;
   bool on_face(const Foothold& foothold) const;

@@ -70,6 +70,19 @@ void KeptTruss::tidy() {
     lists = TransitionLists(scene.transitions, *filter, strides.bounds().transition_reach(), large());
 }
 
+Banned banned_by(const std::vector<Ban>& bans) {
+  if (bans.empty()) return {};
+  return [&bans](const Foothold& a, const Foothold& b) {
+    const auto near = [](const Foothold& ban, const Foothold& at, double within) {
+      return same(ban, at) || (ban.face == at.face && (ban.at - at.at).norm() < within);
+    };
+    return std::any_of(bans.begin(), bans.end(), [&](const Ban& ban) {
+      return (near(ban.one, a, ban.within) && near(ban.other, b, ban.within)) ||
+             (near(ban.one, b, ban.within) && near(ban.other, a, ban.within));
+    });
+  };
+}
+
 TrussGraph::TrussGraph(const Model& model, const PreparedTruss& scene, KeptTruss& kept, const Foothold& start, const Foothold& goal,
                        const OptimalOptions& options)
     : model_(model),
@@ -78,18 +91,9 @@ TrussGraph::TrussGraph(const Model& model, const PreparedTruss& scene, KeptTruss
       start_(start),
       goal_(goal),
       options_(options),
+      banned_(banned_by(options.banned)),
       samples_(static_cast<int>(scene.transitions.all().size())),
       own_places_{pose_of(scene.truss, start).translation(), pose_of(scene.truss, goal).translation()} {
-  if (!options.banned.empty())
-    banned_ = [this](const Foothold& a, const Foothold& b) {
-      const auto near = [](const Foothold& ban, const Foothold& at, double within) {
-        return same(ban, at) || (ban.face == at.face && (ban.at - at.at).norm() < within);
-      };
-      return std::any_of(options_.banned.begin(), options_.banned.end(), [&](const Ban& ban) {
-        return (near(ban.one, a, ban.within) && near(ban.other, b, ban.within)) ||
-               (near(ban.one, b, ban.within) && near(ban.other, a, ban.within));
-      });
-    };
   start_face_ = scene.transitions.of_face(start.face);
   start_face_.push_back(this->start());
   if (goal.face == start.face) start_face_.push_back(this->goal());

@@ -52,6 +52,9 @@ struct KeptTruss final : PreparedTruss::Kept {
   std::size_t in_rows_ = 0;
 };
 
+// Empty without bans. Borrows `bans`.
+Banned banned_by(const std::vector<Ban>& bans);
+
 // Borrows everything. One request's view. Node numbers: transition footholds, then start, then goal.
 class TrussGraph final : public RouteGraph {
  public:
@@ -78,6 +81,7 @@ class TrussGraph final : public RouteGraph {
   const Foothold& at(int node) const;
   // Whether any stride leads away from `end`, start or goal. A quick look before a search that may be long.
   bool hemmed_in(int end);
+  const Banned& banned() const { return banned_; }
   // Whether legs were taken to fail for others that had (see barred()); from stop_guessing() on none is.
   bool guessed() const { return guessed_; }
   void stop_guessing() { guesses_ = false; }
