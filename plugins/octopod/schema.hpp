@@ -14,8 +14,10 @@ inline constexpr ParameterSpec kParameters[] = {
      "Only from stance to stance where legs can be moved one after the other in equilibrium; each step carries that motion. Takes "
      "longer, and a finer resolution where stances are far apart"},
     {"friction", ParameterKind::kReal, "1", "0.4", 0.01, 10.0, "", "Coefficient between feet and terrain"},
-    {"node_slope", ParameterKind::kReal, "rad", "0", 0.0, 1.57, "",
-     "With stability the robot stands over no steeper ground, though its feet may; 0: as steep as friction holds on a plane"},
+    {"node_slope", ParameterKind::kReal, "rad", "1.57", 0.0, 1.57, "",
+     "With stability: over steeper ground than this the robot does not stand, even where it is held with its feet braced across; "
+     "0: as "
+     "steep as friction holds on a plane"},
     {"cone_edges", ParameterKind::kInteger, "1", "10", 0, 256, "",
      "Edges of the pyramid inscribed in a friction cone, 3 at least; 0: the exact cone"},
     {"posture_weight", ParameterKind::kReal, "1", "1", 0.0, 1000.0, "", "Of the change of posture (q) beside the way (d)"},

@@ -195,6 +195,8 @@ int main(int count, char** words) {
               "cold, ms");
   RouteOptions careless;
   careless.stability = false;
+  RouteOptions gentle;  // over no steeper nodes than friction holds on a plane: round the steep faces
+  gentle.steepest = steepest_held(0.4, 10);
   const struct {
     const char* name;
     Vector3d point;
@@ -202,12 +204,16 @@ int main(int count, char** words) {
   } points[] = {{"pa", kA, 10.0, kPaperA, kPaperCarelessA}, {"pb", kB, 30.0, kPaperB, kPaperCarelessB}};
   for (const auto& p : points) {
     const std::string name = p.name;
-    const Timed stable = timed(*ground, p.point, {}, rounds), steep = timed(*ground, p.point, careless, rounds);
+    const Timed stable = timed(*ground, p.point, {}, rounds), steep = timed(*ground, p.point, careless, rounds),
+                round = timed(*ground, p.point, gentle, rounds);
     print_route(p.name, *ground, stable.route, percentile(stable.cold, 0.5));
+    print_route((name + " gentle nodes").c_str(), *ground, round.route, percentile(round.cold, 0.5));
     print_route((name + " careless").c_str(), *ground, steep.route, percentile(steep.cold, 0.5));
     add(name + "_cold", percentile(stable.cold, 0.5), "ms", p.cold_goal, p.paper);
     add(name + "_cold_p99", percentile(stable.cold, 0.99), "ms", {}, {});
     add(name + "_kept", percentile(stable.kept, 0.5), "ms", p.point == kA ? std::optional(1.0) : std::nullopt, {});
+    add(name + "_gentle_cold", percentile(round.cold, 0.5), "ms", {}, {});
+    add(name + "_gentle_kept", percentile(round.kept, 0.5), "ms", {}, {});
     add(name + "_careless_cold", percentile(steep.cold, 0.5), "ms", {}, p.paper_careless);
     add(name + "_postures", static_cast<double>(stable.route.postures), "1", {}, {});
     for (const bool stability : {true, false}) {

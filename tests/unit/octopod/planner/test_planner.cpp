@@ -58,7 +58,7 @@ TEST(Planner, NoMethodIsCheaperThanTheOptimalOne) {
   double costs[3];
   int k = 0;
   for (const char* method : {"optimal", "paper", "rrt"}) {
-    const Parameters values = parameters({{"method", method}, {"samples", "3000"}, {"node_slope", "1.57"}});
+    const Parameters values = parameters({{"method", method}, {"samples", "3000"}});
     Collector out(7);
     const PlanReport report = judged_plan(shared_planner(), request, values, *ramps(values), out);
     ASSERT_EQ(report.outcome, Outcome::kReached) << method << ": " << report.message;
@@ -123,7 +123,7 @@ void expect_same(const std::vector<Step>& a, const std::vector<Step>& b) {
 
 TEST(Planner, GivesTheSameBytesForTheSameRequestWhateverWasPlannedBefore) {
   for (const char* method : {"optimal", "paper", "rrt"}) {
-    const Parameters values = parameters({{"method", method}, {"samples", "3000"}, {"node_slope", "1.57"}});
+    const Parameters values = parameters({{"method", method}, {"samples", "3000"}});
     Collector first(7), second(7), warm_up(1);
     OctopodPlanner fresh(robot_file());
     const auto scene = fresh.prepare(shipped("terrain-ramps"), values);
