@@ -94,12 +94,12 @@ Posture HyrecroPlanner::standing(const std::vector<Beginning>& from, const Prepa
 }
 
 // What is not proved may be behind the paper's method, which is asked then, for half of the budget (s) at most. With motions it is
-// not: its strides leave no room to lift.
+// not: its strides leave no room to lift. Nor on large scenes, where it does not end in any time that is left.
 Found HyrecroPlanner::optimal(const Options& options, const PreparedTruss& scene, const Grip& from, const Foothold& goal,
                               double budget, const std::stop_token& stop) {
   Found ours = plan_optimal(model_, scene, from.at, goal, options.optimal, stop, {});
-  const bool among_all = scene.transitions.all().size() <= kLarge;
-  if (options.motion || options.optimal.objective != Objective::kSteps || (ours.optimal && among_all) ||
+  const bool large = scene.transitions.all().size() > kLarge;
+  if (options.motion || options.optimal.objective != Objective::kSteps || ours.optimal || large ||
       ours.outcome == Found::Outcome::kStopped)
     return ours;
   const ForAWhile while_left(kSharedWithPaper * budget, stop);
@@ -114,7 +114,7 @@ Found HyrecroPlanner::optimal(const Options& options, const PreparedTruss& scene
   const bool better =
       papers.outcome == Found::Outcome::kReached && (ours.outcome != Found::Outcome::kReached || papers.cost < ours.cost);
   if (!better) return ours;
-  papers.lower_bound = among_all ? std::min(ours.lower_bound, papers.cost) : 0.0;
+  papers.lower_bound = std::min(ours.lower_bound, papers.cost);
   papers.objective = ours.objective + "; these strides are the paper's method's";
   return papers;
 }

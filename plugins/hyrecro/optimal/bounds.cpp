@@ -215,11 +215,6 @@ Vector2d StrideBounds::rest(const Vector2d& difference, const Vector2d& u, const
   return best;
 }
 
-int StrideBounds::least_apart(double distance) const {
-  const double rest = distance - reach() - kRounding;
-  return rest <= 0.0 ? 1 : 1 + static_cast<int>(std::ceil(rest / reach()));
-}
-
 int StrideBounds::least(const Vector2d& difference, const Vector2d& heading_u, const Vector2d& heading_v) const {
   const double beyond = rest(difference, heading_u, heading_v).norm() - hip_distance_ - kRounding;
   if (beyond <= 0.0) return 1;

@@ -32,9 +32,6 @@ class StrideBounds {
   // What is left of `difference` when both ends have given the best of their shifts: the strides' hips and the footholds between
   // must make up for it.
   Vector2d rest(const Vector2d& difference, const Vector2d& heading_u, const Vector2d& heading_v) const;
-  // Strides between two different footholds `distance` (m) apart on one face at least, whatever their headings: quick, and never
-  // more than least().
-  int least_apart(double distance) const;
   // Strides that lead from `u` to `v` on one face at least; 0 if they are equal.
   int least(const Foothold& u, const Foothold& v) const;
   // The same for the difference v - u of their places and the unit vectors of their headings. Does not ask whether they are equal:

@@ -17,10 +17,6 @@ std::uint64_t mixed(std::uint64_t seed, std::uint32_t value) {
   return seed ^ (seed >> 29);
 }
 
-std::uint64_t between(int face, int towards) {
-  return (static_cast<std::uint64_t>(face) << 32) | static_cast<std::uint32_t>(towards);
-}
-
 std::int32_t rounded(double value) { return static_cast<std::int32_t>(std::lround(value / kSame)); }
 
 }  // namespace
@@ -37,8 +33,8 @@ std::size_t TransitionLists::KeyHash::operator()(const Key& key) const {
   return out;
 }
 
-TransitionLists::TransitionLists(const Transitions& transitions, const ReachFilter& filter, double reach, bool opposite)
-    : transitions_(&transitions), filter_(&filter), reach_(reach), opposite_(opposite) {
+TransitionLists::TransitionLists(const Transitions& transitions, const ReachFilter& filter, double reach)
+    : transitions_(&transitions), filter_(&filter), reach_(reach) {
   const std::size_t count = transitions.all().size();
   line_of_.assign(count, -1);
   lists_.resize(count);
@@ -64,8 +60,6 @@ void TransitionLists::make_lines() {
     if (fresh) {
       Line line;
       line.face = f.face;
-      line.towards = one.towards;
-      lines_between_[between(f.face, one.towards)].push_back(static_cast<int>(lines_.size()));
       line.origin = one.pose.translation();
       line.axes = one.pose.linear();
       line.along = one.pose.linear().col(1);
@@ -116,11 +110,6 @@ const ReachFilter::Turn& TransitionLists::turn_of(const Eigen::Matrix3d& orienta
 void TransitionLists::list(int index) {
   listed_[at(index)] = 1;
   const Line& line = lines_[at(index)];
-  if (opposite_) {
-    if (const auto others = lines_between_.find(between(line.towards, line.face)); others != lines_between_.end())
-      for (const int other : others->second) pair(line, lines_[at(other)]);
-    return;
-  }
   std::vector<int> near;
   Cell last{1 << 30, 0, 0};
   for (const int i : line.footholds) {

@@ -19,9 +19,7 @@ namespace foothold::hyrecro {
 class TransitionLists {
  public:
   // `reach`: no two soles are further apart, m. Borrows all of them.
-  // `opposite`: only those of two faces that head across the line in which these two meet, as the footholds were sampled for each
-  // other: far fewer, for large scenes.
-  TransitionLists(const Transitions& transitions, const ReachFilter& filter, double reach, bool opposite);
+  TransitionLists(const Transitions& transitions, const ReachFilter& filter, double reach);
 
   using Entry = RouteGraph::Transition;
   // Of one transition foothold; what exclude() took out is not in it. Valid until the next call of anything here.
@@ -38,7 +36,7 @@ class TransitionLists {
 
  private:
   struct Line {
-    int face = -1, towards = -1;
+    int face = -1;
     Vector3d origin = Vector3d::Zero(), along = Vector3d::Zero();  // world, of the first foothold's place
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
     std::vector<int> footholds;
@@ -66,8 +64,6 @@ class TransitionLists {
   const Transitions* transitions_;
   const ReachFilter* filter_;
   double reach_;
-  bool opposite_;
-  std::unordered_map<std::uint64_t, std::vector<int>> lines_between_;  // by face and the one that is headed for
   std::vector<Line> lines_;
   std::vector<int> line_of_;                                    // by foothold
   std::unordered_map<Cell, std::vector<int>, CellHash> cells_;  // lines by the cells that they touch

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hyrecro/optimal/gates.hpp"
+#include "hyrecro/optimal/large.hpp"
 #include "hyrecro/optimal/reasons.hpp"
 
 namespace foothold::hyrecro {
@@ -40,8 +41,10 @@ KeptTruss& kept_of(const Model& model, const PreparedTruss& scene, double lift) 
 std::string in_words(const OptimalOptions& options, bool large) {
   std::string out =
       options.objective == Objective::kSteps ? "least strides, then least length" : "least length, then least strides";
-  out += ", over all routes through the sampled transition footholds, with any footholds on the faces";
-  if (large) out += ", transitions between opposite ones alone as there are so many";
+  if (large)
+    out = "few strides, not the least: the scene is so large that the first good route is taken";
+  else
+    out += ", over all routes through the sampled transition footholds, with any footholds on the faces";
   if (options.lift > 0.0) out += ", from which each foot can be lifted";
   if (!options.banned.empty())
     out += ", without " + std::to_string(options.banned.size()) + " strides for which no motion was found";
@@ -75,7 +78,7 @@ Found plan_between(const Model& model, const PreparedTruss& scene, KeptTruss& ke
     out.failure = hemmed_in(scene, graph.at(end), hemmed.start ? "start" : "goal");
     return out;
   }
-  SearchResult result = search_route(graph, options.max_nodes, stop);
+  SearchResult result = kept.large() ? search_large(graph, kept.portals(), stop) : search_route(graph, options.max_nodes, stop);
   if (result.outcome == SearchResult::Outcome::kNone && graph.guessed()) {
     graph.stop_guessing();  // what is said to be unreachable is so without guesses
     result = search_route(graph, options.max_nodes, stop);
@@ -87,8 +90,15 @@ Found plan_between(const Model& model, const PreparedTruss& scene, KeptTruss& ke
       out.outcome = Found::Outcome::kStopped;
       return out;
     case SearchResult::Outcome::kLimit:
-      out.failure = {PlanError::kSearchLimit, "parameters.max_nodes",
-                     "the search gave up after " + std::to_string(result.settled) + " states", "raise max_nodes"};
+      if (kept.large()) {
+        out.failure = {PlanError::kSearchLimit, "scene",
+                       "no way from face to face that was tried on this large truss can be walked; there may be others",
+                       "give a goal nearer by, or one between, or a part of the truss as the scene"};
+        hemmed = {!kept.legs.has_footing(start, false), !kept.legs.has_footing(goal, false)};
+      } else {
+        out.failure = {PlanError::kSearchLimit, "parameters.max_nodes",
+                       "the search gave up after " + std::to_string(result.settled) + " states", "raise max_nodes"};
+      }
       return out;
     case SearchResult::Outcome::kNone:
       out.failure = why_unreachable(graph, scene, kept, stop);
@@ -119,6 +129,7 @@ Found plan_through_gates(const Model& model, const PreparedTruss& scene, KeptTru
   const bool steps = options.objective == Objective::kSteps;
   for (const Stride& first : from)
     for (const Stride& last : to) {
+      if (kept.large() && best.outcome == Found::Outcome::kReached) break;
       Ends none;
       Found one = plan_between(model, scene, kept, first.to, last.to, options, stop, none);
       if (one.outcome != Found::Outcome::kReached) continue;

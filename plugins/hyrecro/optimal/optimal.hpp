@@ -8,8 +8,8 @@
 
 namespace foothold::hyrecro {
 
-// Transition footholds, from which on a scene counts as large: then only transitions between opposite ones are looked at, and what
-// is proved is proved among those (`objective` says so).
+// Transition footholds, from which on a scene counts as large: then a good route is looked for instead of the best, as `objective`
+// says (search_large()).
 inline constexpr std::size_t kLarge = 50'000;
 
 struct OptimalOptions {
@@ -20,7 +20,8 @@ struct OptimalOptions {
   std::vector<Ban> banned;  // few; holds for this call alone. A proof is then one among the routes without them
 };
 
-// Never more strides than plan_paper() with exact reachability on the same scene. Used by one thread at a time.
+// Never more strides than plan_paper() with exact reachability on the same scene, unless that is large. Used by one thread at a
+// time.
 Found plan_optimal(const Model& model, const PreparedTruss& scene, const Foothold& start, const Foothold& goal,
                    const OptimalOptions& options, const std::stop_token& stop, const OnStride& on_stride);
 

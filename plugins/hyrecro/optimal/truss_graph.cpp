@@ -27,14 +27,11 @@ std::uint64_t pair_of(int a, int b) { return (static_cast<std::uint64_t>(a) << 3
 }  // namespace
 
 KeptTruss::KeptTruss(const Model& model, const PreparedTruss& given)
-    : scene(given),
-      strides(model, given),
-      legs(strides),
-      filter(shared_reach_filter(model)),
-      lists(given.transitions, *filter, strides.bounds().transition_reach(), given.transitions.all().size() > kLarge) {
+    : scene(given), strides(model, given), legs(strides), filter(shared_reach_filter(model)) {
   for (const TransitionFoothold& one : given.transitions.all()) places.push_back(one.pose.translation());
-  rows_.resize(places.size());
   footing.assign(places.size(), -1);
+  if (large()) return;
+  rows_.resize(places.size());
   advances_.assign(places.size(), {-1.0, -1.0});
 }
 
@@ -57,6 +54,16 @@ const std::vector<std::uint8_t>& KeptTruss::row(int foothold) {
   return out;
 }
 
+const Portals& KeptTruss::portals() {
+  if (!portals_) portals_.emplace(scene.transitions, scene.truss.faces.size());
+  return *portals_;
+}
+
+TransitionLists& KeptTruss::lists() {
+  if (!lists_) lists_.emplace(scene.transitions, *filter, strides.bounds().transition_reach());
+  return *lists_;
+}
+
 void KeptTruss::tidy() {
   if (in_rows_ > kMostKept) {
     rows_.assign(places.size(), {});
@@ -66,8 +73,7 @@ void KeptTruss::tidy() {
     judged.clear();
     walked.clear();
   }
-  if (lists.entries() > kMostKept / 8)
-    lists = TransitionLists(scene.transitions, *filter, strides.bounds().transition_reach(), large());
+  if (lists_ && lists_->entries() > kMostKept / 8) lists_.reset();
 }
 
 Banned banned_by(const std::vector<Ban>& bans) {
@@ -100,8 +106,6 @@ TrussGraph::TrussGraph(const Model& model, const PreparedTruss& scene, KeptTruss
   goal_face_ = scene.transitions.of_face(goal.face);
   goal_face_.push_back(this->goal());
   own_advances_ = {kept.legs.advances_of(start), kept.legs.advances_of(goal)};
-  list_own(this->start());
-  list_own(this->goal());
 }
 
 const Foothold& TrussGraph::at(int node) const {
@@ -114,7 +118,7 @@ Isometry3d TrussGraph::pose(int node) const {
   return pose_of(scene_.truss, at(node));
 }
 
-Vector3d TrussGraph::place(int node) const {
+const Vector3d& TrussGraph::place(int node) const {
   return node < samples_ ? kept_.places[static_cast<std::size_t>(node)] : own_places_[static_cast<std::size_t>(node - samples_)];
 }
 
@@ -129,14 +133,10 @@ std::span<const int> TrussGraph::on_face(int face) const {
   return scene_.transitions.of_face(face);
 }
 
-// Of a large scene rows would take more memory and time than they save.
-const std::vector<std::uint8_t>* TrussGraph::row_of(int node) {
-  return node < samples_ && !kept_.large() ? &kept_.row(node) : nullptr;
-}
+const std::vector<std::uint8_t>* TrussGraph::row_of(int node) { return node < samples_ ? &kept_.row(node) : nullptr; }
 
 // on_face() begins with the scene's footholds, in the order of a row.
-int TrussGraph::least(int node, const std::vector<std::uint8_t>* row, std::size_t index, int other, double distance) {
-  if (kept_.large()) return kept_.strides.bounds().least_apart(distance);
+int TrussGraph::least(int node, const std::vector<std::uint8_t>* row, std::size_t index, int other) {
   return row != nullptr && other < samples_ ? (*row)[index]
                                             : kept_.legs.least(at(node), advances_of(node), at(other), advances_of(other));
 }
@@ -147,7 +147,7 @@ void TrussGraph::leg_bounds(int node, std::span<Cost> out) {
   const Vector3d from = place(node);
   for (std::size_t i = 0; i < there.size(); ++i) {
     const double distance = (place(there[i]) - from).norm();
-    out[i] = there[i] == node ? Cost{} : of(least(node, row, i, there[i], distance), distance);
+    out[i] = there[i] == node ? Cost{} : of(least(node, row, i, there[i]), distance);
   }
 }
 
@@ -156,14 +156,11 @@ void TrussGraph::leg_firsts(int node, std::span<double> out) {
   const std::vector<std::uint8_t>* row = row_of(node);
   const bool steps = options_.objective == Objective::kSteps;
   const Vector3d from = place(node);
-  const auto distance = [&](std::size_t i) { return (place(there[i]) - from).norm(); };
   for (std::size_t i = 0; i < there.size(); ++i) {
     if (there[i] == node)
       out[i] = 0.0;
-    else if (!steps)
-      out[i] = distance(i);
     else  // a row knows without the distance
-      out[i] = least(node, row, i, there[i], kept_.large() ? distance(i) : 0.0);
+      out[i] = steps ? least(node, row, i, there[i]) : (place(there[i]) - from).norm();
   }
 }
 
@@ -188,7 +185,7 @@ bool TrussGraph::footing(int node) {
 bool TrussGraph::hemmed_in(int end) {
   if (footing(end)) return false;
   std::vector<int> others;
-  for (const Transition& transition : own_lists_[end]) others.push_back(transition.to);
+  for (const Transition& transition : own_list(end)) others.push_back(transition.to);
   if (std::any_of(others.begin(), others.end(), [&](int to) { return transition(end, to); })) return false;
   return start_.face != goal_.face || walk(start(), goal()).strides.empty();
 }
@@ -290,10 +287,20 @@ bool TrussGraph::achieve(int from, int to) {
   return false;
 }
 
+const std::vector<RouteGraph::Transition>& TrussGraph::own_list(int node) {
+  static const std::vector<Transition> none;
+  if (own_lists_.empty()) {
+    list_own(start());
+    list_own(goal());
+  }
+  const auto own = own_lists_.find(node);
+  return own == own_lists_.end() ? none : own->second;
+}
+
 // `end`: start or goal. What may be reached from it, and it from there.
 void TrussGraph::list_own(int end) {
   const Isometry3d sole = pose(end);
-  own_lists_[end] = kept_.lists.around(sole, face_of(end));
+  own_lists_[end] = kept_.lists().around(sole, face_of(end));
   for (const Transition& transition : own_lists_[end]) own_lists_[transition.to].push_back({end, -1, transition.distance});
   if (end == start() || start_.face == goal_.face) return;
   if (!kept_.filter->may_reach(sole.inverse(Eigen::Isometry) * pose(start()))) return;
@@ -304,8 +311,8 @@ void TrussGraph::list_own(int end) {
 
 std::array<std::span<const RouteGraph::Transition>, 2> TrussGraph::transitions(int node) {
   std::array<std::span<const Transition>, 2> out;
-  if (node < samples_) out[0] = kept_.lists.of(node);
-  if (const auto own = own_lists_.find(node); own != own_lists_.end()) out[1] = own->second;
+  if (node < samples_) out[0] = kept_.lists().of(node);
+  out[1] = own_list(node);
   return out;
 }
 
@@ -319,17 +326,18 @@ const std::optional<Coordinates>& TrussGraph::judge(int from, int to) {
   const auto [entry, fresh] = (own ? own_judged_ : kept_.judged).try_emplace(pair_of(from, to));
   if (!fresh) return entry->second;
   const Isometry3d holding = pose(from);
-  const Isometry3d seen = own ? holding.inverse(Eigen::Isometry) * pose(to) : kept_.lists.seen(from, to);
+  const Isometry3d seen = own ? holding.inverse(Eigen::Isometry) * pose(to) : kept_.lists().seen(from, to);
   entry->second = kept_.strides.alone(seen);
   if (entry->second && kept_.strides.clear(*entry->second, holding)) return entry->second;
   const bool alone = entry->second.has_value();
   if (alone) entry->second = kept_.strides.exact(at(from), at(to));
   if (entry->second) return entry->second;
+  if (!own && kept_.large()) return entry->second;
   if (!own) {
     if (alone)
-      kept_.lists.exclude(from, to);
+      kept_.lists().exclude(from, to);
     else
-      kept_.lists.exclude_alike(from, to);
+      kept_.lists().exclude_alike(from, to);
   } else {
     for (const auto& [one, other] : {std::pair(from, to), std::pair(to, from)})
       std::erase_if(own_lists_[one], [other = other](const Transition& transition) { return transition.to == other; });

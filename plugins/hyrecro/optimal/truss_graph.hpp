@@ -10,6 +10,7 @@
 #include "hyrecro/optimal/legs.hpp"
 #include "hyrecro/optimal/lists.hpp"
 #include "hyrecro/optimal/optimal.hpp"
+#include "hyrecro/optimal/portals.hpp"
 #include "hyrecro/optimal/search.hpp"
 #include "hyrecro/reach/reach_filter.hpp"
 
@@ -30,17 +31,19 @@ struct KeptTruss final : PreparedTruss::Kept {
   // Least strides of legs from a foothold to each of its face.
   const std::vector<std::uint8_t>& row(int foothold);
   const Advances& advances_of(int foothold);
+  // Both made when first asked for; portals of large scenes, lists of others mostly.
+  const Portals& portals();
+  TransitionLists& lists();
   // Bounds what is kept; to be called between requests.
   void tidy();
 
-  // Too many footholds for transitions between any two: only opposite ones are looked at.
+  // Too many footholds for lists and rows of all of them: see search_large().
   bool large() const { return places.size() > kLarge; }
 
   const PreparedTruss& scene;
   Strides strides;
   Legs legs;
   std::shared_ptr<const ReachFilter> filter;
-  TransitionLists lists;
   std::vector<Vector3d> places;                                          // m, world, by foothold
   std::vector<signed char> footing;                                      // by foothold: see Legs::has_footing(); -1: not known
   std::unordered_map<std::uint64_t, std::optional<Coordinates>> judged;  // transitions by both ends, with the scene
@@ -50,6 +53,8 @@ struct KeptTruss final : PreparedTruss::Kept {
   std::vector<std::vector<std::uint8_t>> rows_;
   std::vector<Advances> advances_;  // by foothold; below 0: not known
   std::size_t in_rows_ = 0;
+  std::optional<Portals> portals_;
+  std::optional<TransitionLists> lists_;
 };
 
 // Empty without bans. Borrows `bans`.
@@ -73,7 +78,7 @@ class TrussGraph final : public RouteGraph {
   Cost cost(int node, const Transition& transition) const override;
   bool counts() const override { return options_.objective == Objective::kSteps; }
   bool transition(int from, int to) override;
-  std::size_t patience() const override { return kept_.large() ? 2'000 : 20'000; }
+  std::size_t patience() const override { return 20'000; }
   void leg_firsts(int node, std::span<double> out) override;
   double from_start(int node) override;
   double second_to_goal(int node) override;
@@ -85,19 +90,21 @@ class TrussGraph final : public RouteGraph {
   // Whether legs were taken to fail for others that had (see barred()); from stop_guessing() on none is.
   bool guessed() const { return guessed_; }
   void stop_guessing() { guesses_ = false; }
+  // Whether a stride leads to the node's foothold from around it, as far as a quick look tells.
+  bool footing(int node);
+  const Vector3d& place(int node) const;  // m, world
   // Of a hop that leg() or transition() has found possible.
   std::vector<Stride> strides_of(const Hop& hop);
 
  private:
   Cost of(int strides, double length) const;
-  Vector3d place(int node) const;
   Isometry3d pose(int node) const;
   using Walked = std::unordered_map<std::uint64_t, KeptTruss::Leg>;
   const KeptTruss::Leg& walk(int from, int to);
   const KeptTruss::Leg& walk(int from, int to, const Banned& banned, Walked& known);
   const std::optional<Coordinates>& judge(int from, int to);
   void list_own(int end);
-  bool footing(int node);
+  const std::vector<Transition>& own_list(int node);
   bool barred(int from, int to) const;
   void tell(int from, int to, bool found);
   std::uint32_t corner(int node) const;
@@ -105,7 +112,7 @@ class TrussGraph final : public RouteGraph {
   const Advances& advances_of(int node) {
     return node < samples_ ? kept_.advances_of(node) : own_advances_[node == start() ? 0 : 1];
   }
-  int least(int node, const std::vector<std::uint8_t>* row, std::size_t index, int other, double distance);
+  int least(int node, const std::vector<std::uint8_t>* row, std::size_t index, int other);
 
   const Model& model_;
   const PreparedTruss& scene_;
@@ -117,10 +124,11 @@ class TrussGraph final : public RouteGraph {
   std::vector<int> start_face_, goal_face_;  // nodes there, with start and goal
   std::array<signed char, 2> own_footing_{-1, -1};
   std::array<Advances, 2> own_advances_;
-  std::array<Vector3d, 2> own_places_;                          // of start and goal
-  std::unordered_map<int, std::vector<Transition>> own_lists_;  // of start and goal; of footholds: those two alone
-  Walked own_walked_;                                           // legs with start or goal
-  Walked round_bans_;                                           // where bans take strides out of them
+  std::array<Vector3d, 2> own_places_;  // of start and goal
+  std::unordered_map<int, std::vector<Transition>>
+      own_lists_;      // of start and goal; of footholds: those two alone; made when first asked for
+  Walked own_walked_;  // legs with start or goal
+  Walked round_bans_;  // where bans take strides out of them
   std::unordered_map<std::uint64_t, std::optional<Coordinates>> own_judged_;
   Walked achieved_;                                  // in fewer strides than walk() finds
   std::unordered_map<std::uint64_t, int> doubtful_;  // legs that were not achieved with so many strides
