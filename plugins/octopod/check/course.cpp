@@ -78,6 +78,19 @@ void judge_piece(const Setting& setting, const Pose& a, const Pose& b, double at
               what);
 }
 
+// Whether a height stays above 0 from `a` to `b`, found out in the same way.
+template <class Height, class Way>
+bool stays_above(const Setting& setting, const Pose& a, const Pose& b, double at_a, double at_b, double way, int depth,
+                 const Height& height_at, const Way& way_of) {
+  if (0.5 * (at_a + at_b - way) > 0.0) return true;
+  if (depth == kDeepest) return false;
+  const Pose middle = between(a, b, 0.5);
+  const double at_middle = height_at(skeleton(setting.model, middle.base, middle.joints));
+  return at_middle > 0.0 &&
+         stays_above(setting, a, middle, at_a, at_middle, way_of(Ways(setting.model, a, middle)), depth + 1, height_at, way_of) &&
+         stays_above(setting, middle, b, at_middle, at_b, way_of(Ways(setting.model, middle, b)), depth + 1, height_at, way_of);
+}
+
 // Takes the bound on from `a` to `b`. What was far away needs no look until its ways have used that up, down to `needed` (m); what
 // comes nearer is looked at. Returns the distance at `b` where it was looked at, else infinity.
 template <class Distance, class Way>
@@ -173,10 +186,13 @@ class Walk {
   // plane.
   void leave(const Point& a, const Point& b, std::size_t k, const Seat& seat, double way, double bulge) {
     const bool lifts = b.feet[k] == Foothold::kAir;
-    const Skeleton::Limb &on = (lifts ? a : b).at.limbs[k], &off = (lifts ? b : a).at.limbs[k];
+    const Skeleton::Limb& off = (lifts ? b : a).at.limbs[k];
     const auto clears = [&](const Triangle* t) {
       const auto height = [&](const Vector3d& p) { return t->normal.dot(p - seat.sole); };
-      return height(off.foot) >= 4.0 * bulge && 0.5 * (height(on.ankle) + height(off.ankle) - way) > 0.0;
+      const auto of_ankle = [&](const Skeleton& at) { return height(at.limbs[k].ankle); };
+      const auto way_of = [&](const Ways& piece) { return piece.of_foot(static_cast<int>(k)); };
+      return height(off.foot) >= 4.0 * bulge && stays_above(setting_, a.pose, b.pose, height(a.at.limbs[k].ankle),
+                                                            height(b.at.limbs[k].ankle), way, 0, of_ankle, way_of);
     };
     const bool clear = seat.hollow ? std::all_of(seat.under.begin(), seat.under.end(), clears)
                                    : std::any_of(seat.under.begin(), seat.under.end(), clears);
