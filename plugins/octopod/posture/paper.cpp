@@ -115,7 +115,7 @@ Built stand_paper(const Model& model, const terrain::Surface& surface, const ter
   }
   out.leg = -1;
   out.standing.at = coordinates(at);
-  complete(model, surface, clearance, out);
+  complete(model, surface, clearance, false, out);
   return out;
 }
 

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 #include <sstream>
+#include <utility>
+
+#include "octopod/posture/apart.hpp"
 
 namespace foothold::octopod {
 namespace {
@@ -23,6 +26,14 @@ double squared_turn(double a, double b) {
   return turn * turn;
 }
 
+// A leg or a body as it is called with A and B exchanged.
+int exchanged(int part) { return part < kLegs ? kLegs - 1 - part : kBodyOfA + kBodyOfB - part; }
+
+std::string named(int part) {
+  if (part < kLegs) return limb(part);
+  return part == kBodyOfA ? "the body of A" : "the body of B";
+}
+
 }  // namespace
 
 Built turned(const Model& model, const Built& built) {
@@ -38,7 +49,10 @@ Built turned(const Model& model, const Built& built) {
     out.standing.feet[i] = built.standing.feet[kLegs - 1 - i];
   }
   out.standing.rear = rear(model, out.standing.at);
-  if (built.leg >= 0) out.leg = kLegs - 1 - built.leg;
+  if (built.leg >= 0) out.leg = exchanged(built.leg);
+  if (built.other >= 0) out.other = exchanged(built.other);
+  // Legs are named before bodies, and in their order.
+  if (out.other >= 0 && out.leg > out.other) std::swap(out.leg, out.other);
   return out;
 }
 
@@ -57,7 +71,7 @@ double change(const Standing& a, const Standing& b, const ChangeWeights& weights
 
 std::string reason(const Built& built) {
   std::ostringstream out;
-  const std::string leg = built.leg < 0 ? "a body" : "leg " + limb(built.leg);
+  const std::string leg = built.leg < 0 ? "a body" : "leg " + named(built.leg);
   switch (built.hindrance) {
     case Hindrance::kNone:
       return "";
@@ -72,6 +86,9 @@ std::string reason(const Built& built) {
     case Hindrance::kCollision:
       out << leg << " touches the ground";
       if (built.figure > 0.0) out << " or comes nearer than " << built.figure << " m";
+      break;
+    case Hindrance::kSelfContact:
+      out << named(built.leg) << " and " << named(built.other) << " are nearer to each other than " << built.figure << " m";
       break;
   }
   return out.str();

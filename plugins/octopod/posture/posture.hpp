@@ -30,14 +30,15 @@ struct Standing {
   double residual = 0.0;                       // m, greatest distance of a foot from its footing
 };
 
-enum class Hindrance { kNone, kNoGround, kOutOfReach, kNotConverged, kCollision };
+enum class Hindrance { kNone, kNoGround, kOutOfReach, kNotConverged, kCollision, kSelfContact };
 
 // A standing robot, or why there is none: which leg, and the figure in a sentence made by reason().
 struct Built {
   Standing standing;
   Hindrance hindrance = Hindrance::kNone;
-  int leg = -1;         // of kNoGround, kOutOfReach, kCollision (-1: a body)
+  int leg = -1;         // of kNoGround, kOutOfReach, kCollision (-1: a body), kSelfContact (8: A's body)
   double figure = 0.0;  // m, such as how far out of reach
+  int other = -1;       // of kSelfContact: what the leg is too near to: a leg, or 8, 9: the body of A, B
 };
 std::string reason(const Built& built);
 
@@ -57,13 +58,14 @@ Built turned(const Model& model, const Built& built);
 
 // Puts the robot over a node: C above it, bodies along the axis with the normals beneath, feet down to the surface, then bodies and
 // legs brought together by Newton's method where a leg does not reach. Deterministic. `clearance` (m): bodies and legs (beyond
-// their feet) keep so far from the surface. `orientation`: 0 to 7. Any thread.
+// their feet) keep so far from the surface, and legs (to their soles) and bodies so far from each other, and a millimetre more.
+// `orientation`: 0 to 7. Any thread.
 Built stand(const Model& model, const terrain::Surface& surface, const Vector3d& node, const Vector3d& normal, int orientation,
             double clearance);
 
 // The paper's own way to the same: footholds by the centroids within 1.5 R of the shoulder (which may miss the nearest triangle),
-// then Newton's method, least norm, on both bodies and all joints from the right angles on; kNotConverged where that fails. `axis`:
-// 0 to 3. Allocates; a hundred times slower. Any thread.
+// then Newton's method, least norm, on both bodies and all joints from the right angles on; kNotConverged where that fails. Legs
+// may cross each other, as the paper does not look. `axis`: 0 to 3. Allocates; a hundred times slower. Any thread.
 Built stand_paper(const Model& model, const terrain::Surface& surface, const terrain::CentroidTree& centroids, const Vector3d& node,
                   const Vector3d& normal, int axis, double clearance);
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "octopod/posture/apart.hpp"
 #include "octopod/posture/near_ground.hpp"
 #include "octopod/posture/pair.hpp"
 #include "octopod/posture/posture.hpp"
@@ -11,12 +12,6 @@ namespace foothold::octopod {
 namespace {
 
 constexpr double kFarthest = 0.5;  // of C's height: a robot that must move farther is not over its node any more
-constexpr double kFolded = 0.5;    // cosine of the bend at C from which on the bodies' corners may meet (74 degrees)
-
-bool bodies_meet(const Bodies& bodies, double clearance) {
-  const double straight = bodies.body[0].pose.linear().col(0).dot(bodies.body[1].pose.linear().col(0));
-  return straight < kFolded && collision::nearer(bodies.body[0], bodies.body[1], clearance);
-}
 
 }  // namespace
 
@@ -53,7 +48,7 @@ Vector3d foot_in_the_air(const Model& model, const Pair& pair, int leg) {
   return pair.joint + pair.turn[static_cast<std::size_t>(module_of(leg))] * (lever(model, leg) + hanging);
 }
 
-Hindrance complete(const Model& model, const terrain::Surface& surface, double clearance, Built& built) {
+Hindrance complete(const Model& model, const terrain::Surface& surface, double clearance, bool legs_too, Built& built) {
   Standing& standing = built.standing;
   standing.rear = rear(model, standing.at);
   const std::array<Isometry3d, 2> modules{standing.at.front, standing.rear};
@@ -77,10 +72,21 @@ Hindrance complete(const Model& model, const terrain::Surface& surface, double c
     return built.hindrance = Hindrance::kCollision;
   }
   // All bodies hang together and none is cut, so one point tells on which side they are.
-  if (surface.under(centre(model, standing.at)) || bodies_meet(bodies, clearance)) {
+  if (surface.under(centre(model, standing.at))) {
     built.leg = -1;
     built.figure = clearance;
     return built.hindrance = Hindrance::kCollision;
+  }
+  std::optional<Touch> touch;
+  if (legs_too)
+    touch = touching_itself(model, modules, legs, clearance + kApart);
+  else if (modules_nearer(model, modules, clearance))
+    touch = Touch{kBodyOfA, kBodyOfB};
+  if (touch) {
+    built.leg = touch->part;
+    built.other = touch->other;
+    built.figure = legs_too ? clearance + kApart : clearance;
+    return built.hindrance = Hindrance::kSelfContact;
   }
   return built.hindrance = Hindrance::kNone;
 }
@@ -107,7 +113,7 @@ Built stand_with(const Model& model, const terrain::Surface& surface, Pair pair,
     return out;
   }
   out.standing.at = *at;
-  complete(model, surface, clearance, out);
+  complete(model, surface, clearance, true, out);
   return out;
 }
 

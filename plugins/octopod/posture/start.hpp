@@ -16,9 +16,9 @@ std::optional<Pair> bodies_over(const Model& model, const terrain::Surface& surf
 // Where the foot of a leg with a right angle hangs, m, world.
 Vector3d foot_in_the_air(const Model& model, const Pair& pair, int leg);
 
-// Of a robot whose coordinates and feet are there: rear module, centre of mass, residual; and whether bodies or legs touch the
-// ground.
-Hindrance complete(const Model& model, const terrain::Surface& surface, double clearance, Built& built);
+// Of a robot whose coordinates and feet are there: rear module, centre of mass, residual; whether bodies or legs touch the ground
+// or the bodies each other; and, with `legs_too`, whether legs touch each other or a body.
+Hindrance complete(const Model& model, const terrain::Surface& surface, double clearance, bool legs_too, Built& built);
 
 // All of stand() once the bodies are placed.
 Built stand_with(const Model& model, const terrain::Surface& surface, Pair pair, double clearance);
