@@ -5,6 +5,7 @@
 
 #include "octopod/check/balance.hpp"
 #include "octopod/check/course.hpp"
+#include "octopod/check/itself.hpp"
 #include "terrain/surface.hpp"
 
 namespace foothold::octopod {
@@ -46,6 +47,7 @@ StepVerdict judge_step(const Model& model, const terrain::Surface& surface, cons
   const Skeleton at = skeleton(model, step.after.base, step.after.joints);
   const double error = judge_closure(at, to, "the posture after");
   double clearance = judge_clear(setting, at, "the posture after");
+  double apart = judge_apart(setting, at, "the posture after");
 
   const double needed = least_friction(to, at.centre_of_mass, options.stability ? options.friction : kMostFriction, setting.cone());
   if (options.stability && !balanced(to, at.centre_of_mass, options.friction, setting.cone()))
@@ -56,11 +58,13 @@ StepVerdict judge_step(const Model& model, const terrain::Surface& surface, cons
   if (!step.motion.empty()) {
     const Course course = judge_course(setting, step, before, from, to);
     clearance = std::min(clearance, course.clearance);
+    apart = std::min(apart, course.apart);
     verdict.margins.push_back({"slip between points", kSlip - course.slip, 0.0, "m"});
   }
   verdict.margins.push_back({options.stability ? "friction left" : "friction left, not demanded", options.friction - needed,
                              options.stability ? 0.0 : options.friction - kMostFriction, "1"});
   verdict.margins.push_back({"clearance", clearance, std::max(0.0, options.clearance - judge::kSame), "m"});
+  verdict.margins.push_back({"legs and bodies apart", apart, std::max(0.0, options.clearance - judge::kSame), "m"});
   verdict.margins.push_back({"closure", judge::kPoseTolerance - error, 0.0, "m"});
   return verdict;
 }

@@ -19,8 +19,8 @@ struct CheckOptions {
 };
 
 // Feet on the surface within 1e-6 m, legs' forward kinematics, modules joined, equilibrium by the other formulation, no body or leg
-// through the terrain; with transitions the same at every instant of the motion, which begins at `before` and ends at `step.after`.
-// Refusals name the leg and the values. Margins: friction left, residual, clearance. Any thread.
+// through the terrain or through another; with transitions the same at every instant of the motion, which begins at `before` and
+// ends at `step.after`. Refusals name the leg and the values. Margins: friction left, residual, clearances. Any thread.
 StepVerdict check_step(const Model& model, const terrain::Surface& surface, const Step& step, const Posture& before,
                        const CheckOptions& options);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "octopod/check/carrying.hpp"
+#include "octopod/check/itself.hpp"
 
 namespace foothold::octopod {
 namespace {
@@ -66,16 +67,16 @@ struct Bound {
 // From `a` to `b`, never nearer than `least`: by distances at the ends less half the way between them; else in halves.
 template <class Distance, class Way>
 void judge_piece(const Setting& setting, const Pose& a, const Pose& b, double at_a, double at_b, double way, double least,
-                 int depth, const Distance& distance_at, const Way& way_of, const std::string& what) {
+                 int depth, const Distance& distance_at, const Way& way_of, const std::string& what, const std::string& other) {
   if (0.5 * (at_a + at_b - way) >= least) return;
-  if (depth == kDeepest) refuse(what, " comes nearer to the ground than ", least, " m, or so near that it cannot be ruled out");
+  if (depth == kDeepest) refuse(what, " comes nearer to ", other, " than ", least, " m, or so near that it cannot be ruled out");
   const Pose middle = between(a, b, 0.5);
   const double at_middle = distance_at(skeleton(setting.model, middle.base, middle.joints));
-  if (!(at_middle >= least)) refuse(what, " comes to ", at_middle, " m to the ground, ", least, " m must be kept");
+  if (!(at_middle >= least)) refuse(what, " comes to ", at_middle, " m to ", other, ", ", least, " m must be kept");
   judge_piece(setting, a, middle, at_a, at_middle, way_of(Ways(setting.model, a, middle)), least, depth + 1, distance_at, way_of,
-              what);
+              what, other);
   judge_piece(setting, middle, b, at_middle, at_b, way_of(Ways(setting.model, middle, b)), least, depth + 1, distance_at, way_of,
-              what);
+              what, other);
 }
 
 // Whether a height stays above 0 from `a` to `b`, found out in the same way.
@@ -95,7 +96,8 @@ bool stays_above(const Setting& setting, const Pose& a, const Pose& b, double at
 // comes nearer is looked at. Returns the distance at `b` where it was looked at, else infinity.
 template <class Distance, class Way>
 double judge_bound(Bound& bound, const Setting& setting, const Point& a, const Point& b, const Ways& ways, double least,
-                   double needed, const Distance& distance_at, const Way& way_of, const char* part, const std::string& name) {
+                   double needed, const Distance& distance_at, const Way& way_of, const char* part, const std::string& name,
+                   const std::string& other = "the ground") {
   const double way = way_of(ways);
   if (bound.known - way >= needed) {
     bound = {bound.known - way, false};
@@ -103,8 +105,8 @@ double judge_bound(Bound& bound, const Setting& setting, const Point& a, const P
   }
   const double at_a = bound.exact ? bound.known : distance_at(a.at), at_b = distance_at(b.at);
   const std::string what = when(a, b) + ": " + part + name;
-  if (!(at_b >= least)) refuse(what, " comes to ", at_b, " m to the ground, ", least, " m must be kept");
-  judge_piece(setting, a.pose, b.pose, at_a, at_b, way, least, 0, distance_at, way_of, what);
+  if (!(at_b >= least)) refuse(what, " comes to ", at_b, " m to ", other, ", ", least, " m must be kept");
+  judge_piece(setting, a.pose, b.pose, at_a, at_b, way, least, 0, distance_at, way_of, what, other);
   bound = {at_b, true};
   return at_b;
 }
@@ -122,6 +124,7 @@ class Walk {
     judge_speed(setting_, a, b);
     const Ways ways(setting_.model, a.pose, b.pose);
     bodies(a, b, ways);
+    apart(a, b);
     std::array<std::uint8_t, kLegs> standing{};
     Feet contacts;
     for (std::size_t k = 0; k < kLegs; ++k) {
@@ -147,6 +150,21 @@ class Walk {
       const double at_b = judge_bound(bodies_[static_cast<std::size_t>(body)], setting_, a, b, ways, least,
                                       std::max(least, course_.clearance), away, way, "", body_name(body));
       course_.clearance = std::min(course_.clearance, at_b);
+    }
+  }
+
+  // As module A sees it: nothing that moves all of the robot brings its parts nearer to each other.
+  void apart(Point a, Point b) {
+    a.pose.base = b.pose.base = Isometry3d::Identity();
+    const Ways ways(setting_.model, a.pose, b.pose);
+    const double least = std::max(setting_.options.clearance - kRounding, kRounding);
+    for (std::size_t k = 0; k < kPairs; ++k) {
+      const Parts& parts = parts_apart()[k];
+      const auto away = [&](const Skeleton& at) { return parts_distance(setting_.model, at, parts, kLook); };
+      const auto way = [&](const Ways& piece) { return piece.of_body(parts.a) + piece.of_body(parts.b); };
+      const double at_b = judge_bound(pairs_[k], setting_, a, b, ways, least, std::max(least, course_.apart), away, way, "",
+                                      body_name(parts.a), body_name(parts.b));
+      course_.apart = std::min(course_.apart, at_b);
     }
   }
 
@@ -206,9 +224,10 @@ class Walk {
   std::array<std::array<Seat, kLegs>, 2> seats_;
   Carrying carrying_;
   std::array<Bound, kBodies> bodies_;
+  std::array<Bound, kPairs> pairs_;
   std::array<Bound, kLegs> distances_, rises_;
   std::array<int, kLegs> seated_{-2, -2, -2, -2, -2, -2, -2, -2};  // which seat the bounds above are of
-  Course course_{kLook, 0.0};
+  Course course_{kLook, kLook, 0.0};
 };
 
 }  // namespace

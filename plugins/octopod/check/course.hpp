@@ -8,7 +8,7 @@
 // - A foot in the air keeps off the ground, by its distances at the ends less its way. Where it leaves or meets its contact it
 // rises
 //   faster than it can bulge.
-// - Bodies and legs keep the clearance: by their distances at the ends less their way.
+// - Bodies and legs keep the clearance from the ground and from each other: by their distances at the ends less their ways.
 // - The feet that carry hold the robot at each instant: its centre of mass stays within the bulge of the straight line between the
 // ends,
 //   and the places where given contacts can hold it are convex, so the corners of two squares decide.
@@ -22,6 +22,7 @@ inline constexpr double kSlip = 1e-3;  // m, bound of what a carrying foot may b
 
 struct Course {
   double clearance = 0.0;  // m, least at the points
+  double apart = 0.0;      // m, between parts of the robot, least at the points
   double slip = 0.0;       // m, greatest bound
 };
 

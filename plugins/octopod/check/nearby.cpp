@@ -1,4 +1,4 @@
-// Points, segments and boxes against single triangles.
+// Points, segments and boxes against single triangles and each other.
 //
 // Two convex polytopes that do not meet are nearest between a corner of one and a face of the other, or between two edges. Both
 // cases are among the pairs taken here: all edges of the box (or the segment itself) with the triangle, the triangle's corners with
@@ -60,6 +60,18 @@ bool through_box(const Vector3d& a, const Vector3d& b, const Vector3d& half) {
   return from <= to;
 }
 
+// The twelve edges of the box [-half, half].
+template <class Visit>
+void for_edges(const Vector3d& half, const Visit& visit) {
+  const auto corner = [&](int bits) {
+    return Vector3d((bits & 1) != 0 ? half.x() : -half.x(), (bits & 2) != 0 ? half.y() : -half.y(),
+                    (bits & 4) != 0 ? half.z() : -half.z());
+  };
+  for (int bits = 0; bits < 8; ++bits)
+    for (const int axis : {1, 2, 4})
+      if ((bits & axis) == 0) visit(corner(bits), corner(bits | axis));
+}
+
 }  // namespace
 
 std::vector<Triangle> triangles_in(const terrain::Terrain& terrain, const Eigen::AlignedBox3d& region) {
@@ -104,13 +116,25 @@ double distance(const Isometry3d& box, const Vector3d& half, const Triangle& tri
     if (through_box(seen.corners[k], seen.corners[(k + 1) % 3], half)) return 0.0;
     least = std::min(least, (seen.corners[k].cwiseAbs() - half).cwiseMax(0.0).norm());
   }
-  const auto corner = [&](int bits) {
-    return Vector3d((bits & 1) != 0 ? half.x() : -half.x(), (bits & 2) != 0 ? half.y() : -half.y(),
-                    (bits & 4) != 0 ? half.z() : -half.z());
-  };
-  for (int bits = 0; bits < 8; ++bits)
-    for (const int axis : {1, 2, 4})
-      if ((bits & axis) == 0) least = std::min(least, distance(corner(bits), corner(bits | axis), seen));
+  for_edges(half, [&](const Vector3d& from, const Vector3d& to) { least = std::min(least, distance(from, to, seen)); });
+  return least;
+}
+
+double distance(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) { return between_segments(a, b, c, d); }
+
+double distance(const Isometry3d& box, const Vector3d& half, const Vector3d& a, const Vector3d& b) {
+  const Isometry3d back = box.inverse();
+  const Vector3d from = back * a, to = back * b;
+  if (through_box(from, to, half)) return 0.0;
+  double least = std::min((from.cwiseAbs() - half).cwiseMax(0.0).norm(), (to.cwiseAbs() - half).cwiseMax(0.0).norm());
+  for_edges(half, [&](const Vector3d& c, const Vector3d& d) { least = std::min(least, between_segments(from, to, c, d)); });
+  return least;
+}
+
+double distance(const Isometry3d& a, const Vector3d& half_a, const Isometry3d& b, const Vector3d& half_b) {
+  double least = std::numeric_limits<double>::infinity();
+  for_edges(half_a, [&](const Vector3d& c, const Vector3d& d) { least = std::min(least, distance(b, half_b, a * c, a * d)); });
+  for_edges(half_b, [&](const Vector3d& c, const Vector3d& d) { least = std::min(least, distance(a, half_a, b * c, b * d)); });
   return least;
 }
 

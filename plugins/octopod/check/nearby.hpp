@@ -1,4 +1,5 @@
-// The judge's own view of the terrain: the triangles round a robot, and distances from them, one by one and without a tree.
+// The judge's own view of the terrain: the triangles round a robot, and distances from them, one by one and without a tree; and
+// distances between the robot's own parts.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -26,5 +27,10 @@ double distance(const Vector3d& point, const Triangle& triangle);               
 double distance(const Vector3d& a, const Vector3d& b, const Triangle& triangle);  // m, from the segment; 0 where it meets it
 double distance(const Isometry3d& box, const Vector3d& half,
                 const Triangle& triangle);  // m, from the filled box; 0 where they meet
+
+double distance(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d);  // m, between segments a-b and c-d
+// m, from the filled box to the segment, and between filled boxes; 0 where they meet.
+double distance(const Isometry3d& box, const Vector3d& half, const Vector3d& a, const Vector3d& b);
+double distance(const Isometry3d& a, const Vector3d& half_a, const Isometry3d& b, const Vector3d& half_b);
 
 }  // namespace foothold::octopod

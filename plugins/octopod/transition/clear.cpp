@@ -50,9 +50,13 @@ bool Passage::bodies_clear(double begin, double end, int depth) {
   const Model& model = setting_->model;
   const Pair pair = path_.at((begin + end) / 2);
   const double keep = setting_->options.clearance + kKeep;
-  bool all = true;
+  // They share C, so only their turns bring them nearer to each other.
+  const std::array<Isometry3d, 2> poses{module_pose(model, pair, 0), module_pose(model, pair, 1)};
+  const double turning = (end - begin) * (model.arm() + model.body.norm() / 2) * (path_.turn(0) + path_.turn(1)) / 2;
+  bool all = !modules_nearer(model, poses, keep_apart() + turning);
+  if (!all && (depth == kDeepest || modules_nearer(model, poses, keep_apart()))) return false;
   for (int m = 0; m < 2; ++m) {
-    const Isometry3d pose = module_pose(model, pair, m);
+    const Isometry3d& pose = poses[static_cast<std::size_t>(m)];
     const Vector3d forth = (m == 0 ? -model.body.x() : model.body.x()) / 2 * pose.linear().col(0);
     const collision::Box body{pose, model.body / 2};
     const collision::Capsule neck{pose.translation() + forth, pair.joint, model.neck_radius};
@@ -122,7 +126,7 @@ std::optional<Swing> Passage::find_swing(int leg, int phase) {
       free = may_be_between(model, from_shoulder(at, leg, out.points[k]), from_shoulder(at, leg, out.points[k + 1]),
                             sign(leg, true), 0.0) &&
              swing_clear(at, leg, out.points[k], out.points[k + 1], k == 1, 0, knee_middle, out.knee_spread);
-    if (free) return out;
+    if (free && swing_off_modules(out, leg, phase)) return out;
   }
   return std::nullopt;
 }

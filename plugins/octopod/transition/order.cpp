@@ -90,6 +90,9 @@ class Order {
     if (!passage_.bodies_clear(phase)) return false;
     for (int leg = 0; leg < kLegs; ++leg)
       if (!passage_.holds_on(leg, (moved >> leg & 1U) != 0, phase)) return false;
+    for (int leg = 0; leg < kLegs; ++leg)
+      for (int other = leg + 1; other < kLegs; ++other)
+        if (!passage_.apart_on(leg, (moved >> leg & 1U) != 0, other, (moved >> other & 1U) != 0, phase)) return false;
     return passage_.sway(moved, phase) + kSlack <= kSway;
   }
 
@@ -111,9 +114,16 @@ class Order {
     return (stand_[moved] & bit) != 0;
   }
 
+  // A leg that stands where `leg` would swing; -1: none. Precondition: it can swing there.
+  int in_the_way(unsigned moved, int phase, int leg) {
+    for (int other = 0; other < kLegs; ++other)
+      if (other != leg && !passage_.swing_apart(leg, phase, other, (moved >> other & 1U) != 0)) return other;
+    return -1;
+  }
+
   bool may_lift(unsigned moved, int phase, int leg) {
     const std::optional<Swing>& swing = passage_.swing(leg, phase);
-    if (!swing) return false;
+    if (!swing || in_the_way(moved, phase, leg) >= 0) return false;
     const Vector3d before = passage_.centre_of_mass(moved, phase), after = passage_.centre_of_mass(moved | 1U << leg, phase);
     const Vector3d middle = (swing->points[0] + swing->points[3]) / 2;
     double foot_spread = 0.0;
@@ -145,7 +155,9 @@ class Order {
       if (!passage_.holds(leg, true, phase))
         failure.because = "leg " + limb(leg) + "'s new foothold is out of reach where the bodies can go";
       else if (!passage_.swing(leg, phase))
-        failure.because = "leg " + limb(leg) + " cannot swing clear of the ground";
+        failure.because = "leg " + limb(leg) + " cannot swing clear of the ground and the bodies";
+      else if (const int other = in_the_way(moved, phase, leg); other >= 0)
+        failure.because = "leg " + limb(leg) + " cannot swing past leg " + limb(other);
       else
         failure.because = "no equilibrium without leg " + limb(leg);
       return;

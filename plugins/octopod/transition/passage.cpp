@@ -91,7 +91,9 @@ bool Passage::holds_on(int leg, bool moved, int phase) {
     const double turn = path_.turn(module_of(leg)) / phases_, way = path_.way() / phases_;
     const double far = (footing(leg, moved).point - pair(phase).joint).norm() + way;
     const double bulge = turn * (far * turn + 2 * way) / 8;
-    known = may_be_between(setting_->model, a, b, sign(leg, moved), bulge) && leg_clear(leg, moved, part(phase), part(phase + 1), 0)
+    known = may_be_between(setting_->model, a, b, sign(leg, moved), bulge) &&
+                    leg_clear(leg, moved, part(phase), part(phase + 1), 0) &&
+                    off_modules(leg, moved, part(phase), part(phase + 1), 0)
                 ? Known::kYes
                 : Known::kNo;
   }

@@ -6,7 +6,7 @@
 // down. A search, least moves left first, finds an order. What holds between states is bounded, not sampled: reach by the distance
 // at both ends and how far arcs bulge; equilibrium because the places of the centre of mass at which given contacts hold are
 // convex, so that the corners of squares round the ends decide, squares wider than the centre of mass leaves the straight line;
-// clearance by distances less the ways of bodies and knees.
+// clearance from the ground and of legs and bodies from each other by distances less the ways of bodies and knees.
 #pragma once
 
 #include <optional>
@@ -37,7 +37,7 @@ struct TransitionFailure {
 struct TransitionOptions {
   double friction = 0.4;
   int cone_edges = 10;         // 0: the exact circular cone
-  double clearance = 0.0;      // m, bodies and legs above the ground
+  double clearance = 0.0;      // m, bodies and legs above the ground and from each other
   double swing_height = 0.04;  // m, a swinging foot rises so far along its normals; up to three times as far over obstacles
 };
 inline TransitionOptions transition_options(const Ground& ground, double swing_height) {

@@ -38,7 +38,7 @@ Walk walk() {
 TEST(Steps, ThatStandAreAcceptedWithTheirMargins) {
   const StepVerdict verdict = walk().judge();
   ASSERT_TRUE(verdict.accepted) << verdict.reason;
-  ASSERT_EQ(verdict.margins.size(), 3u);
+  ASSERT_EQ(verdict.margins.size(), 4u);
   EXPECT_EQ(verdict.margins[0].name, "friction left");
   for (const Margin& margin : verdict.margins) EXPECT_GE(margin.value, margin.least) << margin.name;
 }

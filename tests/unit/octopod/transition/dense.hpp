@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/projection.hpp"
-#include "independent.hpp"
+#include "crossing.hpp"
 #include "octopod/transition/transition.hpp"
 
 namespace foothold::octopod {
@@ -20,6 +20,7 @@ struct Seen {
   double slip = 0.0;       // m, of feet that stand
   double depth = -1.0;     // m, of bodies and legs in the ground
   double foot_depth = -1;  // m, of feet in the air
+  double apart = 1.0;      // m, between legs, and legs and bodies
   int unstable = 0, instants = 0, fewest_feet = kLegs;
   std::array<int, kLegs> swings{};
 };
@@ -49,6 +50,7 @@ inline Seen see(const Model& model, const terrain::Terrain& ground, const Standi
         }
         stood[leg_at] = stands;
       }
+      if (out.instants % 5 == 0) out.apart = std::min(out.apart, nearest_parts(modules(model, at), legs_of(at)).distance);
       ++out.instants;
       out.fewest_feet = std::min(out.fewest_feet, static_cast<int>(standing.size()));
       out.unstable +=

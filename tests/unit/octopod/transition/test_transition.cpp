@@ -77,6 +77,7 @@ void expect_good(const TestGround& ground, const Case& each, const Transition& f
   EXPECT_LT(seen.slip, 2.1e-4);
   EXPECT_LT(seen.depth, 0.0);
   EXPECT_LT(seen.foot_depth, 0.0);
+  EXPECT_GT(seen.apart, 0.0);
   EXPECT_GE(seen.fewest_feet, 7);
   for (int which = 0; which < kLegs; ++which) EXPECT_EQ(seen.swings[static_cast<std::size_t>(which)], 1) << limb(which);
   EXPECT_GE(found.least_margin, 0.0);
