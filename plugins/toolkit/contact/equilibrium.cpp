@@ -83,7 +83,7 @@ const Verdict& Equilibrium::judge(std::span<const Contact> contacts, const Vecto
   const bool filled = kernel.fill(problem, contacts, com);
   if (!filled || !(mu >= 0.0) || !std::isfinite(mu) || contacts.empty()) require_stance(contacts, com, mu);
   if (warm) {
-    kernel.rebuild(problem);
+    kernel.renew(problem);
   } else {
     kernel.start(problem);
   }

@@ -18,11 +18,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Eight kPerturbed = {{1.3e-7, 0.7e-7, 1.0 + 1.1e-7, 0.9e-7, 1.7e-7, 0.5e-7, 0.0, 0.0}};
-constexpr double kZero = 1e-12;          // of an x
-constexpr double kLeastPivot = 1e-9;     // of a step's change of a basic x
-constexpr double kDependent = 1e-7;      // of a column's change of each artificial x
-constexpr double kSeparation = 2.5e-10;  // least y.w of a separating wrench of unit size
-constexpr double kOverhang = 0.5e-5;     // greatest y.g of one, as a part of y.w
+constexpr double kZero = 1e-12;            // of an x
+constexpr double kLeastPivot = 1e-9;       // of a step's change of a basic x
+constexpr double kDependent = 1e-7;        // of a column's change of each artificial x
+constexpr double kLeastKnownPivot = 1e-3;  // of a column in the row that it had before
+constexpr double kSeparation = 2.5e-10;    // least y.w of a separating wrench of unit size
+constexpr double kOverhang = 0.5e-5;       // greatest y.g of one, as a part of y.w
 // Columns of a circular cone come from one wider by this part of mu, which certificates forgive: then a column near to the best one
 // is as good as the best one is for the cone as it is, and the method ends instead of making columns ever closer to each other.
 constexpr double kWidening = 2e-10;
@@ -63,7 +64,7 @@ const std::array<std::array<double, 6>, 6> kDirections = directions_round_w();
 // The power of 2 above the square root of this, or twice that.
 double power_above_root(double square) {
   const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(square) >> 52) - 1023;
-  return std::ldexp(1.0, (exponent >> 1) + 1);
+  return std::bit_cast<double>(static_cast<std::uint64_t>((exponent >> 1) + 1024) << 52);
 }
 
 }  // namespace

@@ -65,6 +65,8 @@ struct Kernel {
   // The inverse of the columns that the basis names, from scratch, for the present contacts. Columns that depend on others are
   // replaced by artificial ones.
   void (*rebuild)(Problem& problem);
+  // The same, sooner, for contacts near to those for which the basis was made; as rebuild() where that would be inexact.
+  void (*renew)(Problem& problem);
   Outcome (*solve)(Problem& problem);
   // Forces of the basis, one a contact; returns the greatest number of B x - w.
   double (*forces)(const Problem& problem, std::span<Vector3d> out);

@@ -30,6 +30,29 @@ bool same_bytes(const Basis& a, const Basis& b) {
   return std::memcmp(a.inverse.data(), b.inverse.data(), sizeof(a.inverse)) == 0 && std::memcmp(&a.x, &b.x, sizeof(a.x)) == 0;
 }
 
+// The greatest number of B^-1 B - 1, the columns of B written down anew.
+double inexactness(const Problem& p, const Stance& s) {
+  double most = 0.0;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const Column& column = p.basis.columns[k];
+    Vector6d g = Vector6d::Zero();
+    if (column.contact < 0) {
+      g[-1 - column.contact] = 1.0;
+    } else {
+      const Contact& c = s.contacts[static_cast<std::size_t>(column.contact)];
+      const auto [t, b] = tangents(c.normal);
+      const Vector3d f = c.normal + s.mu * (column.cos * t + column.sin * b);
+      g << f, (c.point - s.com).cross(f) / p.length;
+    }
+    for (std::size_t row = 0; row < 6; ++row) {
+      double sum = row == k ? -1.0 : 0.0;
+      for (std::size_t j = 0; j < 6; ++j) sum += p.basis.inverse[j][row] * g[static_cast<Eigen::Index>(j)];
+      most = std::max(most, std::abs(sum));
+    }
+  }
+  return most;
+}
+
 TEST(Kernels, OfEachWidthGiveTheSameBytes) {
   const Kernel& narrow = *kernel_of_width(2);
   for (const int width : {4, 8}) {
@@ -45,6 +68,33 @@ TEST(Kernels, OfEachWidthGiveTheSameBytes) {
       ASSERT_TRUE(same_bytes(a.basis, b.basis)) << "stance " << i << ", width " << width;
       ASSERT_EQ(a.pivots, b.pivots);
       ASSERT_EQ(std::memcmp(a.y.data(), b.y.data(), sizeof(a.y)), 0);
+      const Stance next = neighbour(random, s, 0.005);
+      for (const auto make : {&Kernel::renew, &Kernel::rebuild}) {
+        ASSERT_TRUE(narrow.fill(a, next.contacts, next.com) && wide->fill(b, next.contacts, next.com));
+        (narrow.*make)(a);
+        (wide->*make)(b);
+        ASSERT_TRUE(same_bytes(a.basis, b.basis)) << "stance " << i << ", width " << width << ", anew";
+      }
+    }
+  }
+}
+
+TEST(Kernels, InvertTheBasisOfANeighbouringStanceAndOfAFarOne) {
+  std::mt19937_64 random(16);
+  for (int i = 0; i < 4000; ++i) {
+    const Stance s = random_stance(random, 8);
+    const Stance next = i % 2 == 0 ? neighbour(random, s, 0.005) : random_stance(random, 8);
+    for (const auto make : {&Kernel::renew, &Kernel::rebuild}) {
+      Problem p = problem_of(kernel(), s, 10);
+      kernel().solve(p);
+      p.mu = next.mu;
+      ASSERT_TRUE(kernel().fill(p, next.contacts, next.com));
+      (kernel().*make)(p);
+      double greatest = 1.0;
+      for (const Eight& column : p.basis.inverse)
+        for (std::size_t row = 0; row < 6; ++row) greatest = std::max(greatest, std::abs(column[row]));
+      // What rounding makes of pivots of 1e-3 and more.
+      ASSERT_LT(inexactness(p, next), 1e-11 * greatest) << "stance " << i;
     }
   }
 }
