@@ -110,7 +110,9 @@ Found HyrecroPlanner::optimal(const Options& options, const PreparedTruss& scene
   }
   scene.as_paper->workspace = workspace(options, while_left.token());
   if (!scene.as_paper->workspace) return ours;
-  Found papers = plan_paper(model_, *scene.as_paper, exact(scene.clearance), from.at, goal, options.paper, while_left.token(), {});
+  PaperOptions as_kept = options.paper;
+  as_kept.keeps = true;
+  Found papers = plan_paper(model_, *scene.as_paper, exact(scene.clearance), from.at, goal, as_kept, while_left.token(), {});
   const bool better =
       papers.outcome == Found::Outcome::kReached && (ours.outcome != Found::Outcome::kReached || papers.cost < ours.cost);
   if (!better) return ours;

@@ -30,15 +30,19 @@ bool Strides::fits(const Coordinates& coordinates, const Isometry3d& holding) co
 }
 
 std::optional<Coordinates> Strides::exact(const Foothold& from, const Foothold& to) {
-  const Isometry3d holding = pose_of(scene_.truss, from);
-  const Isometry3d pose = holding.inverse(Eigen::Isometry) * pose_of(scene_.truss, to);
-  const Reach reach = reachability_->reach(pose, [&](const Coordinates& coordinates) { return clear(coordinates, holding); });
-  return reach.reachable && has_room(pose) ? reach.coordinates : std::nullopt;
+  const Isometry3d holding = pose_of(scene_.truss, from), free = pose_of(scene_.truss, to);
+  return in_scene_.get(holding, free, [&]() -> std::optional<Coordinates> {
+    const Isometry3d pose = holding.inverse(Eigen::Isometry) * free;
+    const Reach reach = reachability_->reach(pose, [&](const Coordinates& coordinates) { return clear(coordinates, holding); });
+    return reach.reachable && has_room(pose) ? reach.coordinates : std::nullopt;
+  });
 }
 
 std::optional<Coordinates> Strides::alone(const Isometry3d& free_in_holding) {
-  const Reach reach = reachability_->reach(free_in_holding, {});
-  return reach.reachable && has_room(free_in_holding) ? reach.coordinates : std::nullopt;
+  return alone_.get(Isometry3d::Identity(), free_in_holding, [&]() -> std::optional<Coordinates> {
+    const Reach reach = reachability_->reach(free_in_holding, {});
+    return reach.reachable && has_room(free_in_holding) ? reach.coordinates : std::nullopt;
+  });
 }
 
 bool Strides::has_room(const Isometry3d& free_in_holding) {

@@ -6,6 +6,7 @@
 
 #include "hyrecro/optimal/bounds.hpp"
 #include "hyrecro/optimal/level_postures.hpp"
+#include "hyrecro/reach/by_poses.hpp"
 #include "hyrecro/reach/reachability.hpp"
 #include "hyrecro/scene/prepared.hpp"
 
@@ -16,8 +17,8 @@ class Strides {
  public:
   Strides(const Model& model, const PreparedTruss& scene);
 
-  // From now on both feet must have room to rise by `lift` (m, 0: none) along their normals from where they stand, without which no
-  // motion sets them down there or takes them away: proved by exact reachability, without the scene.
+  // Before anything is asked: both feet must have room to rise by `lift` (m, 0: none) along their normals from where they stand,
+  // without which no motion sets them down there or takes them away: proved by exact reachability, without the scene.
   void demand_room(double lift) { lift_ = lift; }
   double lift() const { return lift_; }
 
@@ -48,6 +49,7 @@ class Strides {
   StrideBounds bounds_;
   LevelPostures level_;
   std::unique_ptr<Reachability> reachability_;
+  ByPoses<std::optional<Coordinates>> in_scene_, alone_;
 };
 
 }  // namespace foothold::hyrecro

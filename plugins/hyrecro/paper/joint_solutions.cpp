@@ -7,8 +7,14 @@
 
 namespace foothold::hyrecro {
 
-JointSolutions::JointSolutions(const Model& model, const PreparedTruss& scene, Reachability& asked, double lift)
-    : model_(model), scene_(scene), asked_(asked), lift_(lift), repeats_(dynamic_cast<const Exact*>(&asked) != nullptr) {}
+JointSolutions::JointSolutions(const Model& model, const PreparedTruss& scene, Reachability& asked, double lift,
+                               ByPoses<Answer>* kept)
+    : model_(model),
+      scene_(scene),
+      asked_(asked),
+      lift_(lift),
+      repeats_(dynamic_cast<const Exact*>(&asked) != nullptr),
+      kept_(repeats_ ? kept : nullptr) {}
 
 JointSolutions::PoseKey JointSolutions::key_of(const Isometry3d& pose) {
   PoseKey key{};
@@ -29,6 +35,10 @@ Reachability& JointSolutions::exact() {
 
 Answer JointSolutions::solve(const Isometry3d& holding, const Isometry3d& free) {
   ++count_;
+  return kept_ != nullptr ? kept_->get(holding, free, [&] { return ask(holding, free); }) : ask(holding, free);
+}
+
+Answer JointSolutions::ask(const Isometry3d& holding, const Isometry3d& free) {
   const Isometry3d pose = holding.inverse() * free;
   const PoseKey key = repeats_ ? key_of(pose) : PoseKey{};
   if (repeats_ && out_of_reach_.contains(key)) return {};

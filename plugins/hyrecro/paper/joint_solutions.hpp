@@ -9,6 +9,7 @@
 #include <array>
 #include <set>
 
+#include "hyrecro/reach/by_poses.hpp"
 #include "hyrecro/reach/reachability.hpp"
 #include "hyrecro/scene/prepared.hpp"
 
@@ -22,8 +23,10 @@ struct Answer {
 // Used by one thread at a time.
 class JointSolutions {
  public:
-  // All are borrowed. `lift`: see PaperOptions; holds for solve().
-  JointSolutions(const Model& model, const PreparedTruss& scene, Reachability& asked, double lift = 0.0);
+  // All are borrowed. `lift`: see PaperOptions; holds for solve(). `kept`: answers of `exact` on this scene with this lift, from
+  // earlier requests and for later ones; may be null.
+  JointSolutions(const Model& model, const PreparedTruss& scene, Reachability& asked, double lift = 0.0,
+                 ByPoses<Answer>* kept = nullptr);
 
   // One foot holds at `holding` (world), the other shall be at `free` (world).
   Answer solve(const Isometry3d& holding, const Isometry3d& free);
@@ -38,6 +41,7 @@ class JointSolutions {
   using PoseKey = std::array<int, 12>;
   static PoseKey key_of(const Isometry3d& pose);
   Reachability& exact();
+  Answer ask(const Isometry3d& holding, const Isometry3d& free);
 
   const Model& model_;
   const PreparedTruss& scene_;
@@ -47,6 +51,7 @@ class JointSolutions {
   // On beams the same few relative poses come again and again: those that no posture reaches, whatever the scene. Kept for `exact`
   // alone, whose answers do not change from call to call.
   bool repeats_;
+  ByPoses<Answer>* kept_;
   std::set<PoseKey> out_of_reach_;
   std::size_t count_ = 0;
 };

@@ -19,6 +19,7 @@ struct KeptByPaper final : PreparedTruss::Kept {
   double inset;
   WorkspaceOrder order;
   std::unordered_map<int, SafeGround> grounds;
+  ByPoses<Answer> answers;  // for the workspace's lift
 
   const SafeGround& ground(const truss::Truss& truss, int face) {
     return grounds.try_emplace(face, truss.faces[static_cast<std::size_t>(face)], inset).first->second;
@@ -58,7 +59,7 @@ Found plan_paper(const Model& model, const PreparedTruss& scene, Reachability& r
   found.objective =
       "the shortest way over transition footholds, then on each face long strides along its shortest way; proves nothing";
   KeptByPaper& kept = kept_of(scene, options);
-  JointSolutions solutions(model, scene, reachability, options.lift);
+  JointSolutions solutions(model, scene, reachability, options.lift, options.keeps ? &kept.answers : nullptr);
   const double greatest = greatest_reach(model);
   Watch watch;
   const GlobalRoute global =

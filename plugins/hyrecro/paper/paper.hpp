@@ -23,6 +23,9 @@ struct PaperOptions {
   // m: in every stance each leg alone must have room to lift its foot so far, as motions do; 0 (the paper): need not. The scene's
   // workspace must be made with the same demand.
   double lift = 0.0;
+  // Answers of `exact` are kept with the scene for later requests. The paper has no such thing: for comparisons of what is found,
+  // not of time.
+  bool keeps = false;
 };
 
 // Milliseconds that each part took, for the bench's tables 1 and 2.

@@ -63,6 +63,26 @@ TEST(MethodPaper, CrossesThreeFacesOnTheCrossedBeams) {
   }
 }
 
+// With answers that other requests left behind, and with its own when asked again.
+TEST(MethodPaper, AnswersTheSameWithWhatIsKeptAsWithout) {
+  const auto scene = shipped("truss-crossed-beams"), fresh = shipped("truss-crossed-beams");
+  const Foothold from = stand(*scene, {0.2, -0.075, 0.0}, -kY, kX), to = stand(*scene, {1.425, 0.0, 0.43}, -kX, kY);
+  PaperOptions keeping;
+  keeping.keeps = true;
+  const Found wanted = plan(*fresh, from, to);
+  ASSERT_EQ(plan(*scene, to, from, keeping).outcome, Found::Outcome::kReached);
+  for (int round = 0; round < 2; ++round) {
+    const Found found = plan(*scene, from, to, keeping);
+    ASSERT_EQ(found.outcome, Found::Outcome::kReached);
+    ASSERT_EQ(found.route.strides.size(), wanted.route.strides.size());
+    for (std::size_t k = 0; k < found.route.strides.size(); ++k) {
+      EXPECT_EQ(found.route.strides[k].to.at, wanted.route.strides[k].to.at);
+      EXPECT_EQ(found.route.strides[k].to.heading, wanted.route.strides[k].to.heading);
+      EXPECT_EQ(found.route.strides[k].coordinates.hip, wanted.route.strides[k].coordinates.hip);
+    }
+  }
+}
+
 TEST(MethodPaper, TurnsTheCornersOfTheZigzagWithBothRules) {
   const auto scene = shipped("truss-turns");
   const Foothold from = stand(*scene, {0.15, 0.15, 0}, kZ, kX), to = stand(*scene, {1.8, 0.162, 0}, kZ, -kY);
