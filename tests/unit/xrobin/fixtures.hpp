@@ -7,6 +7,7 @@
 #include "foothold/planner.hpp"
 #include "foothold/robot_file.hpp"
 #include "mechanism.hpp"
+#include "plans/plans.hpp"
 #include "schema.hpp"
 
 namespace foothold::xrobin {
@@ -15,24 +16,10 @@ inline RobotModel robot() { return load_robot_model(FOOTHOLD_CONFIG_DIR "/robots
 
 inline Mechanism mechanism() { return Mechanism::from_model(robot()); }
 
-// The defaults of the schema with some values set as text.
-inline Parameters parameters(const std::map<std::string, std::string>& set = {}) {
-  std::map<std::string, Parameters::Value, std::less<>> values;
-  for (const ParameterSpec& spec : kParameters) {
-    const auto given = set.find(spec.name);
-    values.emplace(spec.name, parse_parameter(spec, given == set.end() ? spec.default_value : given->second.c_str()));
-  }
-  return Parameters(std::move(values));
-}
+using test::Collector;
 
-class Collector final : public PlanContext {
- public:
-  bool emit(Step step) override {
-    steps.push_back(std::move(step));
-    return true;
-  }
-  std::vector<Step> steps;
-};
+// The defaults of the schema with some values set as text.
+inline Parameters parameters(const std::map<std::string, std::string>& set = {}) { return test::parameters_of(kParameters, set); }
 
 inline Request request_to(double x, double y) {
   Request request;
