@@ -9,6 +9,8 @@ namespace {
 
 constexpr int kInstants = 32;
 
+constexpr double kSpare = 5e-4;  // m, of clearance at the instants, for what lies between them
+
 constexpr double kMostSlip = 5e-4;  // m, of supporting feet between two instants, where all joints move evenly
 
 // How far supporting feet stray half way between two instants.
@@ -108,8 +110,8 @@ std::optional<HalfCycle> HalfCycleJudge::operator()(const Stand& from, const Sta
     nesm_before = nesm;
     out.way.push_back(at);
   }
-  for (std::size_t k = 0; k < out.way.size(); k += 2) {
-    const std::string met = in_the_way(model_, surface_, out.way[k], options_.clearance);
+  for (std::size_t k = 1; k + 1 < out.way.size(); ++k) {
+    const std::string met = in_the_way(model_, surface_, out.way[k], options_.clearance + kSpare);
     if (met.empty()) continue;
     because = met + " meet";
     return std::nullopt;

@@ -1,10 +1,12 @@
-// The gait along a straight line: the longest stride that goes, a shorter one where it does not, back where none does.
+// The gait along a way: the longest stride that goes, a shorter one where it does not, back where none does. First straight on,
+// then round the places where that ended.
 #include "hexpiderix/walk/walk.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "hexpiderix/walk/detour.hpp"
 #include "hexpiderix/walk/footholds.hpp"
 #include "hexpiderix/walk/half_cycle.hpp"
 #include "hexpiderix/walk/stands.hpp"
@@ -13,15 +15,19 @@ namespace foothold::hexpiderix {
 namespace {
 
 constexpr std::array kStrides{1.0, 0.5, 0.25, 0.1};  // of the longest
-constexpr long kMostTried = 4000;
+constexpr long kMostTried = 4000;                    // half cycles, along one way
+constexpr int kDetours = 6;
 
 class Gait {
  public:
-  Gait(const Model& model, const Ground& ground, const WalkOptions& options, const Station& from, const Station& to)
-      : model_(model), ground_(ground), options_(options), from_(from), to_(to), judge_(model, ground.surface(), options) {
-    const double turned = std::remainder(to.heading - from.heading, 2.0 * std::numbers::pi);
-    to_.heading = from.heading + turned;
-    half_cycles_ = std::max({1.0, (to.place - from.place).head<2>().norm() / options.stride, std::abs(turned) / options.turn});
+  // `way`: two stations or more.
+  Gait(const Model& model, const Ground& ground, const WalkOptions& options, const std::vector<Station>& way)
+      : model_(model), ground_(ground), options_(options), way_(way), judge_(model, ground.surface(), options) {
+    until_.push_back(0.0);
+    for (std::size_t k = 1; k < way.size(); ++k)
+      until_.push_back(until_.back() + std::max((way[k].place - way[k - 1].place).head<2>().norm() / options.stride,
+                                                std::abs(way[k].heading - way[k - 1].heading) / options.turn));
+    half_cycles_ = std::max(1.0, until_.back());
   }
 
   Walk run(const Stand& begin, const std::stop_token& stop) {
@@ -88,7 +94,13 @@ class Gait {
   };
 
   Station at(double progress) const {
-    return {from_.place + progress * (to_.place - from_.place), from_.heading + progress * (to_.heading - from_.heading)};
+    const double here = progress * until_.back();
+    std::size_t k = 1;
+    while (k + 1 < way_.size() && until_[k] < here) ++k;
+    const Station &a = way_[k - 1], &b = way_[k];
+    const double length = until_[k] - until_[k - 1];
+    const double part = length > 0.0 ? std::clamp((here - until_[k - 1]) / length, 0.0, 1.0) : progress;
+    return {a.place + part * (b.place - a.place), a.heading + part * (b.heading - a.heading)};
   }
 
   // On all six feet, to the thorax' pose in which the next tripod stands best.
@@ -146,10 +158,19 @@ class Gait {
   const Model& model_;
   const Ground& ground_;
   const WalkOptions& options_;
-  Station from_, to_;
+  const std::vector<Station>& way_;
+  std::vector<double> until_;  // half cycles of the longest stride up to each station
   HalfCycleJudge judge_;
-  double half_cycles_ = 1.0;  // of the longest stride
+  double half_cycles_ = 1.0;  // in all
 };
+
+// The station after the one nearest to where a try ended.
+Vector3d next_on(const std::vector<Station>& way, const Vector3d& ended) {
+  std::size_t nearest = 0;
+  for (std::size_t k = 1; k < way.size(); ++k)
+    if ((way[k].place - ended).head<2>().norm() < (way[nearest].place - ended).head<2>().norm()) nearest = k;
+  return way[std::min(nearest + 1, way.size() - 1)].place;
+}
 
 }  // namespace
 
@@ -157,7 +178,24 @@ Walk walk(const Model& model, const Ground& ground, const Stand& from, const Sta
           const std::stop_token& stop) {
   const Vector3d ahead = from.at.thorax.linear().col(0);
   const Station begin{from.at.thorax.translation(), std::atan2(ahead.y(), ahead.x())};
-  return Gait(model, ground, options, begin, goal).run(from, stop);
+  const std::vector<Station> straight = straight_way(ground, begin, goal);
+  Walk out = Gait(model, ground, options, straight).run(from, stop);
+  if (out.end != Walk::End::kBlocked) return out;
+  Detours detours(model, ground, begin, goal, options);
+  detours.close(next_on(straight, out.farthest));
+  for (int k = 0; k < kDetours; ++k) {
+    const std::vector<Station> way = detours.find(stop);
+    if (way.empty()) break;
+    Walk round = Gait(model, ground, options, way).run(from, stop);
+    round.tried += out.tried;
+    out.tried = round.tried;
+    if (round.end != Walk::End::kBlocked) return round;
+    const Vector3d ended = round.farthest;
+    if ((round.farthest - goal.place).head<2>().norm() < (out.farthest - goal.place).head<2>().norm()) out = round;
+    detours.close(next_on(way, ended));
+  }
+  if (stop.stop_requested()) out.end = Walk::End::kStopped;
+  return out;
 }
 
 }  // namespace foothold::hexpiderix

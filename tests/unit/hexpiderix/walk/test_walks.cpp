@@ -6,27 +6,10 @@
 #include <random>
 
 #include "../grounds.hpp"
-#include "../slopes.hpp"
-#include "hexpiderix/check/check.hpp"
-#include "hexpiderix/steps.hpp"
+#include "judged.hpp"
 
 namespace foothold::hexpiderix::testing {
 namespace {
-
-// Judges every half cycle as the host does.
-void judge_all(const Ground& ground, const Stand& from, const Walk& found, const WalkOptions& options) {
-  const Stand* at = &from;
-  int number = 0;
-  for (const HalfCycle& half : found.half_cycles) {
-    const Step step = to_step(shipped_model(), *at, half, ++number, 0.0);
-    const StepVerdict verdict = check_step(shipped_model(), ground.surface(), step, standing_posture(at->at, at->feet),
-                                           {options.clearance, options.friction, options.least_nesm});
-    ASSERT_TRUE(verdict.accepted) << step.label << ": " << verdict.reason;
-    for (const Margin& margin : verdict.margins) ASSERT_GE(margin.value, margin.least) << margin.name;
-    EXPECT_GE(half.least_nesm, options.least_nesm);
-    at = &half.to;
-  }
-}
 
 TEST(Walk, TwoMetresOnLevelGround) {
   const Ground ground(terrain::parse_terrain(bent_ground(0, 0, 0)));
@@ -35,7 +18,7 @@ TEST(Walk, TwoMetresOnLevelGround) {
   ASSERT_TRUE(from);
   const Walk found = walk(shipped_model(), ground, *from, {on(ground, 1, 0.2), -0.4}, options, {});
   ASSERT_EQ(found.end, Walk::End::kArrived) << found.because;
-  judge_all(ground, *from, found, options);
+  expect_sound(ground, *from, found, options);
   const Isometry3d& last = found.half_cycles.back().to.at.thorax;
   EXPECT_NEAR(last.translation().x(), 1.0, 1e-9);
   EXPECT_NEAR(last.translation().y(), 0.2, 1e-9);
@@ -58,7 +41,7 @@ TEST(Walk, OverSlopesAndTheirChangesEveryInstantKeepsTheBound) {
     const Walk found = walk(shipped_model(), ground, *from, {on(ground, place(random), place(random)), any(random)}, options, {});
     if (found.end == Walk::End::kArrived) {
       ++arrived;
-      judge_all(ground, *from, found, options);
+      expect_sound(ground, *from, found, options);
     } else {
       EXPECT_FALSE(found.because.empty());
     }
