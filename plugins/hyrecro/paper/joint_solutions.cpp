@@ -4,6 +4,7 @@
 
 #include "hyrecro/motion/lift.hpp"
 #include "hyrecro/reach/exact.hpp"
+#include "hyrecro/reach/inverse.hpp"
 
 namespace foothold::hyrecro {
 
@@ -35,6 +36,11 @@ Reachability& JointSolutions::exact() {
 
 Answer JointSolutions::solve(const Isometry3d& holding, const Isometry3d& free) {
   ++count_;
+  // Most of what the transition search asks for lies further beside the foot than the hip plate is long; so said without a look.
+  if (repeats_) {
+    const Isometry3d pose = holding.inverse() * free;
+    if (std::fabs(pose.translation().y()) > model_.hip_distance && singular(pose)) return {};
+  }
   return kept_ != nullptr ? kept_->get(holding, free, [&] { return ask(holding, free); }) : ask(holding, free);
 }
 
