@@ -1,6 +1,7 @@
 // Start and parameters of a request, with a named field for everything that cannot be planned for.
 #include "hexpiderix/request.hpp"
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -67,6 +68,29 @@ void fill_footholds(const Model& model, const Ground& ground, const Isometry3d& 
   }
 }
 
+// Where legs that join may stand, straight under the standing robot's feet drawn in or out by some shares.
+std::vector<Footholds> places_of(const Model& model, const Ground& ground, const Options& options, const Situation& situation) {
+  constexpr std::array kShares{1.0, 0.85, 1.15, 1.3};
+  const Isometry3d& thorax = situation.thorax;
+  std::vector<Footholds> out;
+  for (const double share : kShares) {
+    if (share != 1.0 && !options.any_place) continue;
+    Footholds place;
+    for (std::size_t leg = 0; leg < kLegs; ++leg) {
+      if (situation.footholds.supports[leg]) continue;
+      Vector3d foot = standing_foot(model, leg);
+      foot.head<2>() *= share;
+      const auto found = footing(ground.surface(), thorax * foot, -thorax.linear().col(2), model.height());
+      if (!found || !reach(model, leg, thorax.inverse() * found->point)) continue;
+      place.supports[leg] = true;
+      place.points[leg] = found->point;
+      place.normals[leg] = found->normal;
+    }
+    out.push_back(place);
+  }
+  return out;
+}
+
 Start as_joints_say(const Model& model, const Ground& ground, const Options& options, const Placement& start) {
   demand_joints(model, start.joints);
   Start out;
@@ -89,6 +113,7 @@ Start as_joints_say(const Model& model, const Ground& ground, const Options& opt
   demand_three(feet.supports, start.contacts.empty() ? "start.joints" : "start.contacts");
   fill_footholds(model, ground, out.at.thorax, feet);
   out.situation.ground = plane_through(feet);
+  out.situation.places = places_of(model, ground, options, out.situation);
   return out;
 }
 
@@ -116,6 +141,7 @@ Start standing(const Model& model, const Ground& ground, const Options& options,
   }
   fill_footholds(model, ground, out.situation.thorax, feet);
   out.situation.ground = plane_through(feet);
+  out.situation.places = places_of(model, ground, options, out.situation);
   const Evaluation stands = as_it_stands(model, out.situation);
   if (!stands.valid()) invalid("start.base", "the robot cannot stand there: ", reason(stands));
   out.at = stands.at;
@@ -135,6 +161,9 @@ Options read_options(const Parameters& parameters) {
   const std::string& legs = parameters.text("legs");
   if (legs == "add") adapt.legs = FurtherLegs::kAdd;
   if (legs == "any") adapt.legs = FurtherLegs::kAny;
+  out.any_place = parameters.text("places") == "any";
+  if (out.any_place && adapt.legs == FurtherLegs::kKeep)
+    invalid("parameters.places", "are of legs that join; set legs to add or any");
   if (adapt.method != Method::kOptimal && adapt.legs != FurtherLegs::kKeep)
     invalid("parameters.legs", "is of method optimal; the paper's strategies choose their legs by themselves");
   const std::string& supports = parameters.text("supports");

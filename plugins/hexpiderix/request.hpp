@@ -11,6 +11,7 @@ struct Options {
   AdaptOptions adapt;
   WalkOptions walk;
   Legs supports = kTriad1;
+  bool any_place = false;  // for legs that join
   double clearance = 0.0;  // m
   double snap = 0.0;       // m
 };

@@ -13,6 +13,8 @@ inline constexpr ParameterSpec kParameters[] = {
      "Legs on the ground at the start, where start.contacts does not say it"},
     {"legs", ParameterKind::kChoice, "", "keep", 0, 0, "keep|add|any",
      "optimal: keep the supporting legs; add: one or more may join them; any: the other triad as well"},
+    {"places", ParameterKind::kChoice, "", "standing", 0, 0, "standing|any",
+     "optimal: legs that join stand where the standing robot has them, or nearer to or farther from the thorax as well"},
     {"share", ParameterKind::kReal, "1", "0.5", 0.0, 1.0, "",
      "geometric: so much of its inclination the thorax turns back (paper: half)"},
     {"friction", ParameterKind::kReal, "1", "100", 0.01, 100.0, "",

@@ -33,6 +33,32 @@ std::vector<Legs> sets_of_legs(Legs supports, FurtherLegs further) {
   return out;
 }
 
+// The situation on a set of legs, once for each choice of places for those that join.
+std::vector<Situation> standing_on(const Situation& from, Legs legs) {
+  const Legs joining = legs & ~from.footholds.supports;
+  Situation with = from;
+  with.footholds.supports = legs;
+  if (joining.none() || from.places.empty()) return {with};
+  std::vector<Situation> out;
+  for (const Footholds& place : from.places) {
+    if ((joining & ~place.supports).any()) continue;
+    for (std::size_t leg = 0; leg < kLegs; ++leg) {
+      if (!joining[leg]) continue;
+      with.footholds.points[leg] = place.points[leg];
+      with.footholds.normals[leg] = place.normals[leg];
+    }
+    out.push_back(with);
+  }
+  return out;
+}
+
+std::vector<Situation> situations(const Situation& from, FurtherLegs further) {
+  std::vector<Situation> out;
+  for (const Legs legs : sets_of_legs(from.footholds.supports, further))
+    for (Situation& with : standing_on(from, legs)) out.push_back(std::move(with));
+  return out;
+}
+
 Adaption from_strategy(const Model& model, const Situation& from, const AdaptOptions& options) {
   Adapted found;
   switch (options.method) {
@@ -72,9 +98,8 @@ Adaption best_of(const Model& model, const Situation& from, const AdaptOptions& 
   out.evaluation = {};
   out.on_grid = -std::numeric_limits<double>::infinity();
   out.proved = true;
-  for (const Legs legs : sets_of_legs(from.footholds.supports, options.legs)) {
-    Situation with = from;
-    with.footholds.supports = legs;
+  const std::vector<Situation> choices = situations(from, options.legs);
+  for (const Situation& with : choices) {
     const BestPosture best = best_posture(model, with, options.best, stop);
     out.boxes += best.boxes;
     out.evaluated += best.evaluated;
@@ -88,15 +113,13 @@ Adaption best_of(const Model& model, const Situation& from, const AdaptOptions& 
     out.end = Adaption::End::kFound;
     out.footholds = with.footholds;
     out.evaluation = best.polished;
-    out.about = "greatest stability on legs " + names(legs);
+    out.about = "greatest stability on legs " + names(with.footholds.supports);
   }
   if (out.end == Adaption::End::kFound) return out;
   if (!out.proved) out.end = Adaption::End::kExhausted;
   // The grid holds no stable posture; between its poses there may be one, or a proof that there is none.
   long proved_none = 0, asked = 0;
-  for (const Legs legs : sets_of_legs(from.footholds.supports, options.legs)) {
-    Situation with = from;
-    with.footholds.supports = legs;
+  for (const Situation& with : choices) {
     BestOptions bounded = options.best;
     bounded.most_boxes = std::min(bounded.most_boxes, 300'000L);
     const Existence exists = stable_posture(model, with, bounded, stop);
@@ -108,7 +131,7 @@ Adaption best_of(const Model& model, const Situation& from, const AdaptOptions& 
     out.footholds = with.footholds;
     out.evaluation = exists.found;
     out.proved = false;
-    out.about = "a stable posture between the grid's, on legs " + names(legs);
+    out.about = "a stable posture between the grid's, on legs " + names(with.footholds.supports);
     return out;
   }
   if (stop.stop_requested()) out.end = Adaption::End::kStopped;

@@ -17,6 +17,9 @@ struct Situation {
   Footholds footholds;
   Isometry3d thorax = Isometry3d::Identity();
   double clearance = 0.0;  // m
+  // Where legs that join may stand: in each, `supports` are the legs that have ground there and reach it as the robot stands.
+  // Empty: the points in `footholds`.
+  std::vector<Footholds> places;
 };
 
 struct Adapted {

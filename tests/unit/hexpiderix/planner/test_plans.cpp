@@ -52,6 +52,22 @@ Tally over_slopes(const std::map<std::string, std::string>& set) {
   return out;
 }
 
+TEST(Plans, MoreFreedomIsNeverLessStable) {
+  const std::string text = bent_ground(50 * kDegree, 50 * kDegree, 30 * kDegree);
+  const Ground ground(terrain::parse_terrain(text));
+  double before = 0.0;
+  const std::map<std::string, std::string> freedoms[] = {
+      {}, {{"legs", "add"}}, {{"legs", "any"}}, {{"legs", "any"}, {"places", "any"}}};
+  for (const auto& freedom : freedoms) {
+    Collector collected;
+    const PlanReport report = judged_plan(shared_planner(), request_at({0, 0, 0}), parameters(freedom), ground, collected);
+    ASSERT_EQ(report.outcome, Outcome::kReached) << report.message;
+    EXPECT_GE(figure(report, "NESM of the grid's best"), before);
+    before = figure(report, "NESM of the grid's best");
+  }
+  EXPECT_GT(before, 0.03) << "feet farther out than in the standing robot";
+}
+
 struct Way {
   const char* name;
   std::map<std::string, std::string> set;
@@ -74,6 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
     Each, Ways,
     ::testing::Values(Way{"Optimal", {}, 1.0}, Way{"OptimalTriad2", {{"supports", "triad2"}}, 1.0},
                       Way{"OptimalAllLegs", {{"supports", "all"}}, 1.0}, Way{"OptimalAddsLegs", {{"legs", "add"}}, 1.0},
+                      Way{"OptimalPlacesLegs", {{"legs", "any"}, {"places", "any"}}, 1.0},
                       Way{"OptimalAnyLegs", {{"legs", "any"}}, 1.0},
                       Way{"OptimalWithFrictionForThirtyDegrees", {{"friction", "0.6"}}, 0.45},
                       Way{"OptimalWithClearance", {{"clearance", "0.005"}}, 1.0},

@@ -124,6 +124,7 @@ TEST(Requests, NameTheGoalAtFault) {
 
 TEST(Requests, NameTheParameterAtFault) {
   EXPECT_EQ(refused_field(request_at({0, 0, 0}), {{"method", "choice"}, {"legs", "add"}}), "parameters.legs");
+  EXPECT_EQ(refused_field(request_at({0, 0, 0}), {{"places", "any"}}), "parameters.places");
   EXPECT_EQ(refused_field(request_at({0, 0, 0}), {{"method", "emergency"}, {"legs", "any"}}), "parameters.legs");
   EXPECT_EQ(refused_field(request_at({0, 0, 0}), {{"lowest", "0.18"}}), "parameters.lowest");
 }
