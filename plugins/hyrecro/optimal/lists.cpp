@@ -80,10 +80,6 @@ void TransitionLists::make_lines() {
   }
 }
 
-Isometry3d TransitionLists::seen(int from, int to) const {
-  return transitions_->all()[at(from)].pose.inverse(Eigen::Isometry) * transitions_->all()[at(to)].pose;
-}
-
 int TransitionLists::kind_of(const Isometry3d& pose) {
   Key key;
   for (int i = 0; i < 3; ++i) {

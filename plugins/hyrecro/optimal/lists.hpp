@@ -31,8 +31,6 @@ class TransitionLists {
   // The scene forbids this one.
   void exclude(int one, int other);
   std::size_t entries() const { return entries_; }  // in all lists
-  // Pose of sole `to` seen from sole `from`.
-  Isometry3d seen(int from, int to) const;
 
  private:
   struct Line {

@@ -78,7 +78,12 @@ Found plan_between(const Model& model, const PreparedTruss& scene, KeptTruss& ke
     out.failure = hemmed_in(scene, graph.at(end), hemmed.start ? "start" : "goal");
     return out;
   }
-  SearchResult result = kept.large() ? search_large(graph, kept.portals(), stop) : search_route(graph, options.max_nodes, stop);
+  SearchResult result;
+  if (kept.large()) result = search_large(graph, *scene.portals, stop);
+  if (!kept.large() || (kept.listable() && result.outcome == SearchResult::Outcome::kLimit)) {
+    out.objective = in_words(options, false);
+    result = search_route(graph, options.max_nodes, stop);
+  }
   if (result.outcome == SearchResult::Outcome::kNone && graph.guessed()) {
     graph.stop_guessing();  // what is said to be unreachable is so without guesses
     result = search_route(graph, options.max_nodes, stop);
@@ -90,7 +95,7 @@ Found plan_between(const Model& model, const PreparedTruss& scene, KeptTruss& ke
       out.outcome = Found::Outcome::kStopped;
       return out;
     case SearchResult::Outcome::kLimit:
-      if (kept.large()) {
+      if (!kept.listable()) {
         out.failure = {PlanError::kSearchLimit, "scene",
                        "no way from face to face that was tried on this large truss can be walked; there may be others",
                        "give a goal nearer by, or one between, or a part of the truss as the scene"};

@@ -1,16 +1,12 @@
 // `method: optimal`: the least number of strides over the whole route, proved; or the least way of the feet.
 //
 // Set of routes: any transition between the scene's sampled transition footholds, start and goal; any footholds between them on a
-// face.
+// face. On large scenes (kLarge) a good route is looked for instead of the best, as `objective` says.
 #pragma once
 
 #include "hyrecro/scene/prepared.hpp"
 
 namespace foothold::hyrecro {
-
-// Transition footholds, from which on a scene counts as large: then a good route is looked for instead of the best, as `objective`
-// says (search_large()).
-inline constexpr std::size_t kLarge = 50'000;
 
 struct OptimalOptions {
   Objective objective = Objective::kSteps;

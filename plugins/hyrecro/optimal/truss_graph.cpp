@@ -30,7 +30,7 @@ KeptTruss::KeptTruss(const Model& model, const PreparedTruss& given)
     : scene(given), strides(model, given), legs(strides), filter(shared_reach_filter(model)) {
   for (const TransitionFoothold& one : given.transitions.all()) places.push_back(one.pose.translation());
   footing.assign(places.size(), -1);
-  if (large()) return;
+  if (!listable()) return;
   rows_.resize(places.size());
   advances_.assign(places.size(), {-1.0, -1.0});
 }
@@ -54,11 +54,6 @@ const std::vector<std::uint8_t>& KeptTruss::row(int foothold) {
   return out;
 }
 
-const Portals& KeptTruss::portals() {
-  if (!portals_) portals_.emplace(scene.transitions, scene.truss.faces.size());
-  return *portals_;
-}
-
 TransitionLists& KeptTruss::lists() {
   if (!lists_) lists_.emplace(scene.transitions, *filter, strides.bounds().transition_reach());
   return *lists_;
@@ -66,7 +61,7 @@ TransitionLists& KeptTruss::lists() {
 
 void KeptTruss::tidy() {
   if (in_rows_ > kMostKept) {
-    rows_.assign(places.size(), {});
+    rows_.assign(rows_.size(), {});
     in_rows_ = 0;
   }
   if (judged.size() + walked.size() > kMostKept / 64) {
@@ -326,7 +321,7 @@ const std::optional<Coordinates>& TrussGraph::judge(int from, int to) {
   const auto [entry, fresh] = (own ? own_judged_ : kept_.judged).try_emplace(pair_of(from, to));
   if (!fresh) return entry->second;
   const Isometry3d holding = pose(from);
-  const Isometry3d seen = own ? holding.inverse(Eigen::Isometry) * pose(to) : kept_.lists().seen(from, to);
+  const Isometry3d seen = holding.inverse(Eigen::Isometry) * pose(to);
   entry->second = kept_.strides.alone(seen);
   if (entry->second && kept_.strides.clear(*entry->second, holding)) return entry->second;
   const bool alone = entry->second.has_value();

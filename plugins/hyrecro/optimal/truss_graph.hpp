@@ -10,7 +10,6 @@
 #include "hyrecro/optimal/legs.hpp"
 #include "hyrecro/optimal/lists.hpp"
 #include "hyrecro/optimal/optimal.hpp"
-#include "hyrecro/optimal/portals.hpp"
 #include "hyrecro/optimal/search.hpp"
 #include "hyrecro/reach/reach_filter.hpp"
 
@@ -18,6 +17,8 @@ namespace foothold::hyrecro {
 
 // m: at most so much is added to the length of a transition for each of its ends, to tell equally long routes apart.
 inline constexpr double kPreference = 1e-7;
+
+inline constexpr std::size_t kMostListed = 50'000;
 
 // What later requests find again. Transition footholds by their index in Transitions::all().
 struct KeptTruss final : PreparedTruss::Kept {
@@ -31,14 +32,14 @@ struct KeptTruss final : PreparedTruss::Kept {
   // Least strides of legs from a foothold to each of its face.
   const std::vector<std::uint8_t>& row(int foothold);
   const Advances& advances_of(int foothold);
-  // Both made when first asked for; portals of large scenes, lists of others mostly.
-  const Portals& portals();
-  TransitionLists& lists();
+  TransitionLists& lists();  // made when first asked for
+  // Not so many footholds that rows and lists of all of them take gigabytes.
+  bool listable() const { return places.size() <= kMostListed; }
   // Bounds what is kept; to be called between requests.
   void tidy();
 
-  // Too many footholds for lists and rows of all of them: see search_large().
-  bool large() const { return places.size() > kLarge; }
+  // See search_large().
+  bool large() const { return scene.portals.has_value(); }
 
   const PreparedTruss& scene;
   Strides strides;
@@ -53,7 +54,6 @@ struct KeptTruss final : PreparedTruss::Kept {
   std::vector<std::vector<std::uint8_t>> rows_;
   std::vector<Advances> advances_;  // by foothold; below 0: not known
   std::size_t in_rows_ = 0;
-  std::optional<Portals> portals_;
   std::optional<TransitionLists> lists_;
 };
 

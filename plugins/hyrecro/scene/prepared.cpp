@@ -26,7 +26,9 @@ std::vector<Polygon> without_holes(const Region& region) {
 }  // namespace
 
 PreparedTruss::PreparedTruss(const Model& model, truss::Truss given, const SamplingOptions& options, double least)
-    : truss(std::move(given)), obstacles(truss), transitions(model, truss, options), clearance(least) {}
+    : truss(std::move(given)), obstacles(truss), transitions(model, truss, options), clearance(least) {
+  if (transitions.all().size() > kLarge) portals.emplace(transitions, truss.faces.size());
+}
 
 std::vector<Shape> PreparedTruss::shapes() const {
   std::vector<Shape> shapes;

@@ -5,7 +5,7 @@
 
 #include "foothold/planner.hpp"
 #include "hyrecro/reach/planar_workspace.hpp"
-#include "hyrecro/scene/transitions.hpp"
+#include "hyrecro/scene/portals.hpp"
 
 namespace foothold::hyrecro {
 
@@ -17,7 +17,8 @@ struct PreparedTruss final : PreparedScene {
   truss::Truss truss;
   Obstacles obstacles;
   Transitions transitions;
-  double clearance;  // m
+  std::optional<Portals> portals;  // of large scenes
+  double clearance;                // m
   // Set by the planner before plan_paper(), which alone reads it; shared between scenes.
   mutable std::shared_ptr<const PlanarWorkspace> workspace;
   // What a search wants to find again in later requests of the same scene (`optimal`: transitions judged, faces' strides). Owned by

@@ -3,7 +3,7 @@
 
 #include "climbing.hpp"
 #include "hyrecro/optimal/bounds.hpp"
-#include "hyrecro/optimal/portals.hpp"
+#include "hyrecro/scene/portals.hpp"
 #include "hyrecro/scene/random_foothold.hpp"
 #include "truss/generate.hpp"
 
@@ -82,7 +82,12 @@ TEST(LargeTruss, CellsLeadToEachOtherBothWaysAndHoldEveryFootholdOnce) {
     for (const Portals::Edge& edge : portals.edges(cell)) {
       EXPECT_TRUE(leads(edge.to, cell));
       EXPECT_EQ(edge.leg, portals.face_of(cell) == portals.face_of(edge.to));
-      EXPECT_TRUE(edge.leg || !portals.opposite(cell, edge.to).empty());
+      for (const auto& [a, b] : portals.opposite(cell, edge.to)) {
+        const auto &one = scene->transitions.all()[static_cast<std::size_t>(a)],
+                   &other = scene->transitions.all()[static_cast<std::size_t>(b)];
+        EXPECT_EQ(one.towards, other.foothold.face);
+        EXPECT_EQ(other.towards, one.foothold.face);
+      }
     }
   }
   EXPECT_EQ(std::count(times.begin(), times.end(), 1), static_cast<std::ptrdiff_t>(times.size()));

@@ -14,6 +14,9 @@
 
 namespace foothold::hyrecro {
 
+// Transition footholds, from which on a scene counts as large: proving the best route takes seconds there, if it comes to an end.
+inline constexpr std::size_t kLarge = 50'000;
+
 // Immutable after construction, which takes time of the order of the footholds. Borrows them.
 class Portals {
  public:
@@ -51,7 +54,9 @@ class Portals {
   const TransitionFoothold& at(int foothold) const { return transitions_->all()[static_cast<std::size_t>(foothold)]; }
   // The line's direction is one for both sides but for its sign; places (m) along it.
   double along(int foothold, const Vector3d& line) const { return line.dot(at(foothold).pose.translation()); }
+  struct Run;
   void make_cells(std::size_t faces);
+  std::vector<Run> runs(const std::vector<int>& row, const Vector3d& line) const;
   void join();
 
   const Transitions* transitions_;

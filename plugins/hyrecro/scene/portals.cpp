@@ -1,4 +1,4 @@
-#include "hyrecro/optimal/portals.hpp"
+#include "hyrecro/scene/portals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,50 +53,70 @@ void Portals::make_cells(std::size_t faces) {
     middles_[static_cast<std::size_t>(cell)] /= static_cast<double>(footholds(cell).size());
 }
 
+// Footholds of one face that head for one other, one after the other in one cell.
+struct Portals::Run {
+  int cell = -1;
+  double low = 0.0, high = 0.0;  // m, along the line
+};
+
 void Portals::join() {
-  std::vector<std::pair<int, int>> pairs;  // from, to
+  std::vector<std::vector<int>> next(static_cast<std::size_t>(cells()));
+  const auto both = [&](int a, int b) {
+    next[static_cast<std::size_t>(a)].push_back(b);
+    next[static_cast<std::size_t>(b)].push_back(a);
+  };
   for (std::size_t face = 0; face + 1 < face_begins_.size(); ++face)
     for (int a = face_begins_[face]; a < face_begins_[face + 1]; ++a)
       // Cells are in order of x.
       for (int b = a + 1; b < face_begins_[face + 1]; ++b) {
         const auto &one = places_[static_cast<std::size_t>(a)], &other = places_[static_cast<std::size_t>(b)];
         if (other.min().x() > one.max().x() + 2.0 * kEdge + kUnparted) break;
-        if (one.squaredExteriorDistance(other) > kUnparted * kUnparted) continue;
-        pairs.emplace_back(a, b);
-        pairs.emplace_back(b, a);
+        if (one.squaredExteriorDistance(other) <= kUnparted * kUnparted) both(a, b);
       }
   std::unordered_map<std::uint64_t, std::vector<int>> rows;
-  const int count = static_cast<int>(of_.size());
-  for (int k = 0; k < count; ++k) rows[between(at(k).foothold.face, at(k).towards)].push_back(k);
-  std::vector<std::pair<double, int>> others;
-  for (const auto& [key, row] : rows) {
-    const int face = at(row.front()).foothold.face, towards = at(row.front()).towards;
+  std::vector<int>* row = nullptr;
+  std::uint64_t last = 0;
+  for (int k = 0; k < static_cast<int>(of_.size()); ++k) {
+    const std::uint64_t key = between(at(k).foothold.face, at(k).towards);
+    if (row == nullptr || key != last) row = &rows[key];
+    last = key;
+    row->push_back(k);
+  }
+  for (const auto& [key, one] : rows) {
+    const int face = at(one.front()).foothold.face, towards = at(one.front()).towards;
     if (towards < face) continue;
-    const auto opposite = rows.find(between(towards, face));
-    if (opposite == rows.end()) continue;
-    const Vector3d line = at(row.front()).pose.linear().col(1);
-    others.clear();
-    for (const int k : opposite->second) others.emplace_back(along(k, line), k);
-    std::sort(others.begin(), others.end());
-    for (const int k : row) {
-      const double place = along(k, line);
-      for (auto other = std::lower_bound(others.begin(), others.end(), std::pair(place - kOpposite, 0));
-           other != others.end() && other->first <= place + kOpposite; ++other) {
-        const int a = of_[static_cast<std::size_t>(k)], b = of_[static_cast<std::size_t>(other->second)];
-        pairs.emplace_back(a, b);
-        pairs.emplace_back(b, a);
-      }
+    const auto other = rows.find(between(towards, face));
+    if (other == rows.end()) continue;
+    const Vector3d line = at(one.front()).pose.linear().col(1);
+    const std::vector<Run> ours = runs(one, line), theirs = runs(other->second, line);
+    for (const Run& a : ours) {
+      auto b = std::lower_bound(theirs.begin(), theirs.end(), a.low - kOpposite - 2.0 * kEdge,
+                                [](const Run& run, double low) { return run.low < low; });
+      for (; b != theirs.end() && b->low <= a.high + kOpposite; ++b)
+        if (b->high >= a.low - kOpposite) both(a.cell, b->cell);
     }
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  edge_begins_.assign(static_cast<std::size_t>(cells()) + 1, 0);
-  edges_.reserve(pairs.size());
-  for (const auto& [from, to] : pairs) {
-    edges_.push_back({to, face_of(from) == face_of(to), (middle(from) - middle(to)).norm()});
-    edge_begins_[static_cast<std::size_t>(from) + 1] = edges_.size();
+  edge_begins_.assign(1, 0);
+  for (int cell = 0; cell < cells(); ++cell) {
+    std::vector<int>& to = next[static_cast<std::size_t>(cell)];
+    std::sort(to.begin(), to.end());
+    to.erase(std::unique(to.begin(), to.end()), to.end());
+    for (const int other : to) edges_.push_back({other, face_of(cell) == face_of(other), (middle(cell) - middle(other)).norm()});
+    edge_begins_.push_back(edges_.size());
   }
-  for (std::size_t k = 1; k < edge_begins_.size(); ++k) edge_begins_[k] = std::max(edge_begins_[k], edge_begins_[k - 1]);
+}
+
+std::vector<Portals::Run> Portals::runs(const std::vector<int>& row, const Vector3d& line) const {
+  std::vector<Run> out;
+  for (const int k : row) {
+    const int cell = of_[static_cast<std::size_t>(k)];
+    const double place = along(k, line);
+    if (out.empty() || out.back().cell != cell) out.push_back({cell, place, place});
+    out.back().low = std::min(out.back().low, place);
+    out.back().high = std::max(out.back().high, place);
+  }
+  std::stable_sort(out.begin(), out.end(), [](const Run& a, const Run& b) { return a.low < b.low; });
+  return out;
 }
 
 std::vector<Portals::Beside> Portals::beside(int face, const Vector2d& place) const {
