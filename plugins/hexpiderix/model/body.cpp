@@ -56,6 +56,8 @@ bool within_limits(const Model& model, const Vector3d& joints) {
 
 std::optional<Vector3d> reach(const Model& model, std::size_t leg, const Vector3d& foot) {
   const Vector3d local = kMounts[leg].back(foot) - Vector3d(model.thorax_radius, 0, 0);
+  // Nearly always the first of the inverse's solutions.
+  if (const auto usual = model.leg.standing(local); usual && within_limits(model, *usual)) return usual;
   for (const Vector3d& joints : model.leg.inverse(local))
     if (within_limits(model, joints)) return joints;
   return std::nullopt;
