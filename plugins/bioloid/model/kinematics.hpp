@@ -1,5 +1,5 @@
-// Bioloid as a chain, closed both ways: by screws forward (paper, eq. 16), in closed form back. This is the plain form, for checking,
-// drawing and key postures; the search's is posture/. Metres and radians. Values; any thread.
+// Bioloid as a chain, closed both ways: by screws forward (paper, eq. 16), in closed form back. This is the plain form, for
+// checking, drawing and key postures; the search's is posture/. Metres and radians. Values; any thread.
 //
 // A sole's frame: origin in its centre on the ground, X to the toes, Y left, Z up.
 #pragma once
@@ -23,8 +23,8 @@ Isometry3d sole_in_torso(const Model& model, Side side, const Joints& joints);
 Vector3d centre_of_mass(const Model& model, const Joints& joints);
 
 bool within_limits(const Model& model, const Joints& joints);
-// Puts the leg's six joints that bring its sole to `sole` (in the torso's frame) on the walking branch into `joints`. False if out of
-// reach; limits are not looked at.
+// Puts the leg's six joints that bring its sole to `sole` (in the torso's frame) on the walking branch into `joints`. False if out
+// of reach; limits are not looked at.
 bool reach(const Model& model, Side side, const Isometry3d& sole, Joints& joints);
 // All branches, as servo angles.
 std::vector<Eigen::Matrix<double, 6, 1>> reach_all(const Model& model, Side side, const Isometry3d& sole);

@@ -1,11 +1,12 @@
 // Bioloid's numbers, as config/robots/bioloid.yaml or a URDF gives them: a tree of 18 joints that carries 19 bodies.
 //
-// Every body has a frame that is parallel to the torso's in the zero pose, X forward, Y left, Z up, origin on its joint (the torso's:
-// the pelvis). Joint angles count about `axis` by the right hand. Index of a joint = the servo's ID - 1: even indices are right (IDs
-// odd), odd ones left. Metres, radians, kilograms. Immutable after loading: any thread.
+// Every body has a frame that is parallel to the torso's in the zero pose, X forward, Y left, Z up, origin on its joint (the
+// torso's: the pelvis). Joint angles count about `axis` by the right hand. Index of a joint = the servo's ID - 1: even indices are
+// right (IDs odd), odd ones left. Metres, radians, kilograms. Immutable after loading: any thread.
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <string>
 #include <vector>
 
@@ -37,18 +38,18 @@ struct BodyBox {
 };
 
 struct Body {
-  std::string name;
+  std::string name;  // right ones begin with r_, left ones with l_
   double mass = 0.0;
   Vector3d centre_of_mass = Vector3d::Zero();  // in the body's frame
   std::vector<BodyBox> boxes;                  // what collides is what is drawn
 };
 
 struct JointModel {
-  int parent = -1;                             // the joint that carries it; -1: the torso
-  Vector3d origin = Vector3d::Zero();          // in the parent's frame
-  Vector3d axis = Vector3d::UnitZ();           // unit
-  kinematics::Interval limits;                 // rad
-  double speed = 0.0;                          // rad/s, of the servo without load
+  int parent = -1;                     // the joint that carries it; -1: the torso
+  Vector3d origin = Vector3d::Zero();  // in the parent's frame
+  Vector3d axis = Vector3d::UnitZ();   // unit
+  kinematics::Interval limits;         // rad
+  double speed = 0.0;                  // rad/s, of the servo without load
 };
 
 struct Model {
@@ -64,14 +65,22 @@ struct Model {
   Vector3d hip(Side side) const { return hips_[index_of(side)]; }
   Vector3d sole(Side side) const;  // from the ankle's centre to the sole's, in the foot's frame
   double sign(Side side, std::size_t k) const { return signs_[index_of(side)][k]; }
+  // Bodies that are not judged against each other: joined by one joint, or by two whose axes meet. Symmetric; with itself too.
+  bool neighbours(std::size_t a, std::size_t b) const { return neighbours_[a][b]; }
 
-  // Throws InvalidModel with the entry's path: something missing, not of the structure above (axes that do not meet in the hip or the
-  // ankle, legs that are not mirrored).
+  // Throws InvalidModel with the entry's path: something missing, not of the structure above (axes that do not meet in the hip or
+  // the ankle, legs that are not mirrored).
   static Model from_model(const RobotModel& model);
 
   kinematics::BipedLeg leg_;
   std::array<Vector3d, 2> hips_;
   std::array<std::array<double, kLegJoints>, 2> signs_{};
+  std::array<std::bitset<kBodies>, kBodies> neighbours_{};
 };
+
+// Of names that stand in one string with | between them, the one at `index`.
+std::string name_at(const char* names, std::size_t index);
+// A posture's angle of the other side's joint: turns about Y are the same, those about X and Z count against each other.
+double mirrored(const JointModel& joint, double angle);
 
 }  // namespace foothold::bioloid
