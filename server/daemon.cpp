@@ -38,6 +38,8 @@ Daemon::Daemon(boost::asio::io_context& loop, ServerConfig config, std::vector<R
   signals_.async_wait([this](const boost::system::error_code& error, int signal) {
     if (!error) stop(signal);
   });
+  figures_.set_robots(workers_.robots());
+  open_metrics();
   workers_.open(*this, [this] { open_bus(); });
 }
 
@@ -76,7 +78,7 @@ void Daemon::open_bus() {
                             .grace = config_.grace,
                             .cancel_memory = config_.cancel_memory,
                             .retention = config_.retention},
-                Jobs::Ports{journal_, workers_, scenes_, *partitions_, clock_},
+                Jobs::Ports{journal_, workers_, scenes_, *partitions_, clock_, {&figures_}},
                 [](const std::string& sentence) { spdlog::error("{}", sentence); });
   scenes_.open({.tell = [this](msg::SceneStatus status) { announcer_->scene(std::move(status)); },
                 .background =

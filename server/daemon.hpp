@@ -18,8 +18,10 @@
 
 #include "config/config.hpp"
 #include "foothold/transport/bus.hpp"
+#include "http/http.hpp"
 #include "jobs/jobs.hpp"
 #include "journal/journal.hpp"
+#include "metrics/server_state.hpp"
 #include "net/announcer.hpp"
 #include "net/inbox.hpp"
 #include "net/partitions.hpp"
@@ -58,6 +60,11 @@ class Daemon final : private RunEvents {
   void announce_robots();
   void retry_soon();
 
+  // watching
+  void open_metrics();
+  HttpAnswer answer(std::string_view path);
+  ServerState look() const;
+
   // stopping
   void stop(int signal);
   void stop_when_idle();
@@ -77,6 +84,11 @@ class Daemon final : private RunEvents {
   SqliteJournal journal_;
   Scenes scenes_;
   Workers workers_;
+
+  RequestFigures figures_;
+  std::optional<HttpServer> http_;
+  std::string metrics_text_;  // what /metrics said last,
+  Time metrics_made_{};       // and when
 
   std::unique_ptr<transport::Bus> bus_;
   std::optional<Announcer> announcer_;

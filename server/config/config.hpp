@@ -34,6 +34,15 @@ struct ScenesConfig {
   std::vector<std::string> preload;       // folders whose files are stored at start, named by their stem
 };
 
+// `metrics:` Figures and health over HTTP.
+struct MetricsConfig {
+  bool enabled = true;
+  std::string address = "127.0.0.1";  // IPv4 or IPv6, as numbers
+  std::uint16_t port = 9747;          // 0: one that is free; the log says which
+
+  bool operator==(const MetricsConfig&) const = default;
+};
+
 struct ServerConfig {
   std::string name = "foothold";
   DdsConfig dds;
@@ -48,6 +57,7 @@ struct ServerConfig {
   double retention = 7 * 86400.0;  // of final states and steps
   WorkersConfig workers;
   ScenesConfig scenes;
+  MetricsConfig metrics;
   std::string log_level = "info";  // trace, debug, info, warn, error, off
 };
 

@@ -1,4 +1,7 @@
 // footholdd.yaml.
+#include <arpa/inet.h>
+
+#include <array>
 #include <filesystem>
 
 #include "config/reading.hpp"
@@ -36,6 +39,22 @@ void read_scenes(Section scenes, ScenesConfig& out) {
   scenes.end();
 }
 
+bool is_address(const std::string& text) {
+  std::array<unsigned char, sizeof(in6_addr)> octets{};
+  return inet_pton(AF_INET, text.c_str(), octets.data()) == 1 || inet_pton(AF_INET6, text.c_str(), octets.data()) == 1;
+}
+
+void read_metrics(Section metrics, MetricsConfig& out) {
+  metrics.flag("enabled", out.enabled);
+  metrics.text("address", out.address, 64);
+  if (!is_address(out.address))
+    metrics.fault("address", "must be an IP address as numbers, such as 127.0.0.1 (is '" + out.address + "')");
+  std::size_t port = out.port;
+  metrics.count("port", port, {0, 65535});
+  out.port = static_cast<std::uint16_t>(port);
+  metrics.end();
+}
+
 }  // namespace
 
 ServerConfig read_server_config(const std::string& file) {
@@ -57,6 +76,7 @@ ServerConfig read_server_config(const std::string& file) {
     root.seconds("retention", config.retention, {1, 10 * kYear});
     read_workers(root.section("workers"), config.workers);
     read_scenes(root.section("scenes"), config.scenes);
+    read_metrics(root.section("metrics"), config.metrics);
     root.choice("log_level", config.log_level, {"trace", "debug", "info", "warn", "error", "off"});
     root.end();
   }

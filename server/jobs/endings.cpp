@@ -11,6 +11,7 @@ void Jobs::finish(Job& job, Ending ending) {
   const Id id = job.request.id();
   if (job.last.state() == msg::QUEUED) queue_.remove(job.request.robot(), job.request.priority(), job.turn);
   set_alarm(job, std::nullopt);
+  job.over = ports_.clock.now();
   msg::Summary summary = std::move(job.last.summary());
   job.last = change_event(speaker_, job.request, ending.state, ports_.clock.stamp(), job.steps, std::move(ending.error));
   if (job.ran) {

@@ -28,6 +28,8 @@ struct Job {
 
   std::optional<Run> run;
   Time started{};  // of the run
+  Time stepped{};  // its latest step, or its start; none before this process has started it
+  Time over{};     // its final state was entered
   std::optional<Ending> ending;
 
   std::uint32_t steps = 0;      // written to the journal, the running batch's included
@@ -36,6 +38,7 @@ struct Job {
   std::vector<Bytes> replay;    // steps of a run before a restart, which this run must repeat
 
   bool ran = false;           // it was RUNNING once
+  bool killed = false;        // its worker did not heed the stop token
   bool accepted = false;      // its receipt is durable
   bool touched = false;       // the running batch writes of it
   std::optional<Time> alarm;  // its entry among the timers

@@ -24,6 +24,7 @@
 #include "jobs/job.hpp"
 #include "jobs/ports.hpp"
 #include "jobs/queue.hpp"
+#include "jobs/watch.hpp"
 
 namespace foothold::server {
 
@@ -45,6 +46,7 @@ class Jobs final : public RunEvents {
     const SceneShelf& scenes;
     Outbox& outbox;
     const Clock& clock;
+    std::vector<RequestWatch*> watches = {};
   };
   // Figures for the heartbeat.
   struct Load {
@@ -87,6 +89,8 @@ class Jobs final : public RunEvents {
 
   Load load() const { return {queue_.size(), runs_.size()}; }
   bool stopping() const { return stopping_; }
+  // False while the journal refuses writes.
+  bool storage_works() const { return storage_works_; }
   // True if a request of this client is unfinished.
   bool busy_for(const Id& client) const;
 
@@ -154,6 +158,7 @@ class Jobs final : public RunEvents {
   void resume(Record record);
 
   void tell(Job& job, msg::State state, msg::Error error);
+  void show_end(const Job& job) const;
   void push(const Id& request, msg::PlanEvent event);
 
   JobsOptions options_;

@@ -36,7 +36,7 @@ std::optional<Ending> Jobs::hindrance(const Job& job) const {
 }
 
 void Jobs::start(Job& job) {
-  job.started = ports_.clock.now();
+  job.started = job.stepped = ports_.clock.now();
   job.ran = true;
   std::optional<StoredScene> scene;
   if (!job.request.scene().empty()) scene = ports_.scenes.find(job.request.scene(), job.request.scene_revision());
@@ -85,6 +85,11 @@ void Jobs::on_run_step(Run run, std::uint32_t index, Bytes step) {
   const Id id = job->request.id();
   write(*job, [&] { ports_.journal.add_step(id, index, step); });
   ++job->steps;
+  const Time now = ports_.clock.now();
+  const auto seconds_since = [&](Time then) { return std::chrono::duration<double>(now - then).count(); };
+  for (RequestWatch* watch : ports_.watches)
+    watch->on_step(job->request, index, seconds_since(job->stepped), seconds_since(job->arrived));
+  job->stepped = now;
   outgoing_.emplace_back(Sent{id, job->request.client(), std::move(step)});
 }
 
@@ -105,6 +110,7 @@ void Jobs::on_run_end(Run run, RunEnd end) {
   if (job == nullptr) return;
   runs_.erase(run);
   job->run.reset();
+  job->killed = end.kind == RunEnd::Kind::kLost && end.error.code() == msg::WORKER_KILLED;
   constexpr double kWeight = 0.1;
   mean_run_ += kWeight * (std::chrono::duration<double>(ports_.clock.now() - job->started).count() - mean_run_);
   tell_running(*job);

@@ -65,10 +65,23 @@ void Jobs::settle_batch() {
     for (const Id& id : touched_) give_up(jobs_.at(id));
   }
   flush();
-  for (const Id& id : touched_)
-    if (jobs_.at(id).ended()) jobs_.erase(id);
+  for (const Id& id : touched_) {
+    const auto job = jobs_.find(id);
+    if (!job->second.ended()) continue;
+    show_end(job->second);
+    jobs_.erase(job);
+  }
   touched_.clear();
   fault_.reset();
+}
+
+void Jobs::show_end(const Job& job) const {
+  const auto seconds = [](Time from, Time to) { return std::chrono::duration<double>(to - from).count(); };
+  const bool ran = job.stepped != Time{};
+  EndedRequest ended{.request = job.request, .event = job.last, .ran = ran, .killed = job.killed};
+  if (job.arrived != Time{}) ended.waited = seconds(job.arrived, ran ? job.started : job.over);
+  if (ran) ended.planned = seconds(job.started, job.over);
+  for (RequestWatch* watch : ports_.watches) watch->on_ended(ended);
 }
 
 // False if what the batch wrote is not stored.
@@ -93,6 +106,7 @@ void Jobs::give_up(Job& job) {
   set_alarm(job, std::nullopt);
   job.steps = job.committed;
   job.touched = false;
+  job.over = ports_.clock.now();
   const bool refused = !job.accepted && job.last.state() == msg::REJECTED;
   if (!refused) {
     msg::Summary summary = std::move(job.last.summary());

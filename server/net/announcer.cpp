@@ -46,6 +46,11 @@ void Announcer::send(transport::Writer& writer, Kept& kept) {
   kept.sent = writer.write(kept.bytes) != transport::Writer::Result::kFull;
 }
 
+std::size_t Announcer::matched(Topic topic) const {
+  const auto& writer = topic == Topic::kServer ? server_writer_ : topic == Topic::kRobot ? robot_writer_ : scene_writer_;
+  return writer->matched();
+}
+
 bool Announcer::wait_acknowledged(double seconds) { return server_writer_->wait_acknowledged(seconds); }
 
 }  // namespace foothold::server

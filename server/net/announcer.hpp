@@ -22,6 +22,8 @@ class Announcer {
   // Heartbeat; asserts this server's liveliness, too. `info.key` and the counter are filled in.
   void beat(msg::ServerInfo info);
   bool wait_acknowledged(double seconds);
+  // Readers matched now, of kServer, kRobot or kSceneStatus.
+  std::size_t matched(transport::Topic topic) const;
 
  private:
   struct Kept {

@@ -28,7 +28,7 @@ class Channel {
   bool waits() const { return !waiting_.empty(); }
   // Messages left out since the last call, because too much waited or the writer failed; `why` in words.
   std::uint64_t take_left_out(std::string& why);
-  transport::Writer& writer() { return *writer_; }
+  transport::Writer& writer() const { return *writer_; }
 
  private:
   // False if the writer is full.

@@ -58,7 +58,7 @@ void Inbox::read(transport::Bus& bus, Topic topic) {
       if (shared->inbox != nullptr) shared->inbox->drain();
     });
   };
-  readers_.push_back(bus.reader(topic, "", {.on_message = on_message}));
+  readers_.emplace_back(topic, bus.reader(topic, "", {.on_message = on_message}));
 }
 
 void Inbox::drain() {
@@ -73,14 +73,27 @@ void Inbox::drain() {
 }
 
 std::string Inbox::take_complaint() {
+  const auto news = [](const std::atomic<std::uint64_t>& count, std::uint64_t& told) {
+    const std::uint64_t now = count;
+    return now - std::exchange(told, now);
+  };
   std::string complaint;
   for (std::size_t i = 0; i < transport::kTopicCount; ++i)
-    if (const auto count = shared_->unreadable[i].exchange(0); count != 0)
+    if (const auto count = news(shared_->unreadable[i], unreadable_told_[i]); count != 0)
       complaint += (complaint.empty() ? "" : "; ") + std::to_string(count) + " messages on " +
                    std::string(transport::kTopics[i].name) + " are not messages of its type";
-  if (const auto count = shared_->lost.exchange(0); count != 0)
+  if (const auto count = news(shared_->lost, lost_told_); count != 0)
     complaint += (complaint.empty() ? "" : "; ") + std::to_string(count) + " messages were lost: too many wait for the loop";
   return complaint;
 }
+
+std::vector<Inbox::TopicFigures> Inbox::figures() const {
+  std::vector<TopicFigures> figures;
+  for (const auto& [topic, reader] : readers_)
+    figures.push_back({topic, reader->matched(), shared_->unreadable[static_cast<std::size_t>(topic)]});
+  return figures;
+}
+
+std::uint64_t Inbox::lost() const { return shared_->lost; }
 
 }  // namespace foothold::server

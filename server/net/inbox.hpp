@@ -33,6 +33,15 @@ class Inbox {
   // A sentence for the log if, since the last call, messages came that could not be read (P9) or were lost; else empty.
   std::string take_complaint();
 
+  // Of a topic that clients write: writers matched now, and messages since the start that could not be read.
+  struct TopicFigures {
+    transport::Topic topic;
+    std::size_t matched;
+    std::uint64_t unreadable;
+  };
+  std::vector<TopicFigures> figures() const;
+  std::uint64_t lost() const;  // since the start
+
  private:
   struct Shared;
 
@@ -45,7 +54,9 @@ class Inbox {
   std::function<void(ClientMessage)> take_;
   std::function<void()> batch_end_;
   std::vector<ClientMessage> batch_;
-  std::vector<std::unique_ptr<transport::Reader>> readers_;
+  std::vector<std::pair<transport::Topic, std::unique_ptr<transport::Reader>>> readers_;
+  std::array<std::uint64_t, transport::kTopicCount> unreadable_told_{};  // in complaints
+  std::uint64_t lost_told_ = 0;
 };
 
 }  // namespace foothold::server

@@ -60,7 +60,9 @@ bool Partitions::retry() {
 
 void Partitions::tell_left_out(const Id& client, Channel& channel, const char* what) {
   std::string why;
-  if (const auto count = channel.take_left_out(why); count != 0)
+  const auto count = channel.take_left_out(why);
+  left_out_ += count;
+  if (count != 0)
     hooks_.complain(std::to_string(count) + " " + what + " for client " + msg::to_hex(client) + " were left out: " + why);
 }
 
@@ -73,6 +75,15 @@ void Partitions::sweep() {
     const bool quiet = now - partition.last_used >= kQuiet && !partition.events.waits() && !partition.steps.waits();
     entry = quiet && !hooks_.busy(client) ? partitions_.erase(entry) : std::next(entry);
   }
+}
+
+std::pair<std::size_t, std::size_t> Partitions::matched() const {
+  std::pair<std::size_t, std::size_t> count{0, 0};
+  for (const auto& [client, partition] : partitions_) {
+    count.first += partition.events.writer().matched();
+    count.second += partition.steps.writer().matched();
+  }
+  return count;
 }
 
 bool Partitions::wait_acknowledged(double seconds) {

@@ -35,6 +35,10 @@ class Partitions final : public Outbox {
   // Waits until every reader has acknowledged everything, at the latest until then. Blocks.
   bool wait_acknowledged(double seconds);
   std::size_t size() const { return partitions_.size(); }
+  // Readers of events and of steps that are matched now, over all partitions.
+  std::pair<std::size_t, std::size_t> matched() const;
+  // Messages left out since the start, as far as sweep() has told of them.
+  std::uint64_t left_out() const { return left_out_; }
 
  private:
   struct Partition {
@@ -51,6 +55,7 @@ class Partitions final : public Outbox {
   Hooks hooks_;
   std::unordered_map<Id, Partition, msg::IdHash> partitions_;
   Bytes buffer_;
+  std::uint64_t left_out_ = 0;
 };
 
 }  // namespace foothold::server

@@ -85,6 +85,7 @@ bool Pool::start_one() {
   try {
     auto worker = std::make_shared<Worker>(loop_, *this, robot_.name, program_);
     members_.push_back({worker, generation_});
+    if (owed_ > 0) --owed_, ++restarts_;
     worker->load(load_frame(), from_seconds(config_.start_limit));
     return true;
   } catch (const std::system_error& fault) {
@@ -167,6 +168,15 @@ std::vector<pid_t> Pool::pids() const {
   return out;
 }
 
+PoolFigures Pool::figures() const {
+  PoolFigures out{.restarts = restarts_, .crashes = crashes_, .workers = members_.size()};
+  for (const Member& member : members_) {
+    if (member.worker->phase() == Worker::Phase::kBusy) ++out.busy;
+    out.memory += resident_memory(member.worker->pid()).value_or(0);
+  }
+  return out;
+}
+
 Pool::Member& Pool::member_of(const Worker& worker) {
   return *std::ranges::find_if(members_, [&](const Member& member) { return member.worker.get() == &worker; });
 }
@@ -239,7 +249,9 @@ void Pool::on_departure(Worker& worker, Departure departure) {
   const bool was_newest = member_of(worker).generation == generation_;
   std::erase_if(members_, [&](const Member& member) { return member.worker.get() == &worker; });
   if (departure.error.code() != msg::NO_ERROR) spdlog::warn("robot {}: {}", robot_.name, departure.error.message());
+  if (departure.error.code() != msg::NO_ERROR && !closed_) owed_ = std::min(owed_ + 1, robot_.slots);
   if (departure.crash) {
+    ++crashes_;
     if (!was_ready && was_newest && older_serve())
       give_up_reload(departure.error);
     else

@@ -23,6 +23,14 @@ class PoolListener : public RunEvents {
   virtual void on_settled(const std::string& robot) = 0;
 };
 
+// Counts since the start, and what is now. Memory in octets, resident.
+struct PoolFigures {
+  std::uint64_t restarts = 0;  // workers started in the place of ones that died or were killed
+  std::uint64_t crashes = 0;   // that count towards quarantine
+  std::size_t workers = 0, busy = 0;
+  std::uint64_t memory = 0;
+};
+
 class Pool final : public WorkerOwner {
  public:
   Pool(boost::asio::io_context& loop, PoolListener& listener, RobotConfig robot, const WorkersConfig& config, std::string program);
@@ -41,6 +49,7 @@ class Pool final : public WorkerOwner {
   void check_memory();
   bool settled() const { return settled_; }
   std::vector<pid_t> pids() const;
+  PoolFigures figures() const;
 
  private:
   struct Member {
@@ -83,10 +92,12 @@ class Pool final : public WorkerOwner {
   std::vector<Member> members_;
   unsigned generation_ = 0;
   bool closed_ = false, settled_ = false, telling_ = false;
-  std::optional<msg::RobotInfo> info_;                          // of the newest worker that was ready
-  mutable std::shared_ptr<const msg::RobotInfo> described_;     // what status() said last
-  std::optional<msg::Error> refused_;                           // why no worker is started
-  std::string trouble_;                                         // what happened last, for people
+  std::optional<msg::RobotInfo> info_;                       // of the newest worker that was ready
+  mutable std::shared_ptr<const msg::RobotInfo> described_;  // what status() said last
+  std::optional<msg::Error> refused_;                        // why no worker is started
+  std::string trouble_;                                      // what happened last, for people
+  std::uint64_t restarts_ = 0, crashes_ = 0;
+  std::size_t owed_ = 0;                                        // workers that died and have not been replaced yet
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // for what was posted and outlives this
 };
 

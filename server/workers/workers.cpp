@@ -108,6 +108,11 @@ std::vector<pid_t> Workers::pids(const std::string& robot) const {
   return found == pools_.end() ? std::vector<pid_t>{} : found->second->pids();
 }
 
+PoolFigures Workers::figures(const std::string& robot) const {
+  const auto found = pools_.find(robot);
+  return found == pools_.end() ? PoolFigures{} : found->second->figures();
+}
+
 void Workers::on_run_end(Run run, RunEnd end) {
   runs_.erase(run);
   events_->on_run_end(run, std::move(end));

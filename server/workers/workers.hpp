@@ -49,6 +49,7 @@ class Workers final : public Planners, private PoolListener {
 
   // The processes of a robot, for `foothold doctor` and tests.
   std::vector<pid_t> pids(const std::string& robot) const;
+  PoolFigures figures(const std::string& robot) const;
 
  private:
   void on_run_scene(Run run, std::vector<msg::Shape> shapes) override { events_->on_run_scene(run, std::move(shapes)); }

@@ -189,6 +189,7 @@ struct World {
   FakeOutbox outbox;
   JobsOptions options;
   std::vector<std::string> complaints;
+  std::vector<RequestWatch*> watches;
   std::unique_ptr<Jobs> jobs;
 
   World();

@@ -63,6 +63,7 @@ cancel_memory: 5
 retention: 2 d
 workers: {restart_first: 0.5, restart_longest: 1 min, start_limit: 9, quarantine_crashes: 4, quarantine_window: 2 min, quarantine_time: 3 min}
 scenes: {max_bytes: 10 MiB, preload: [scenes]}
+metrics: {enabled: false, address: "::1", port: 99}
 log_level: debug
 )");
   EXPECT_EQ(config.name, "lab");
@@ -84,6 +85,7 @@ log_level: debug
   EXPECT_EQ(config.workers.quarantine_time, 180.0);
   EXPECT_EQ(config.scenes.max_bytes, 10485760U);
   EXPECT_EQ(config.scenes.preload, std::vector<std::string>{folder_ / "scenes"});
+  EXPECT_EQ(config.metrics, (MetricsConfig{.enabled = false, .address = "::1", .port = 99}));
   EXPECT_EQ(config.log_level, "debug");
 }
 
@@ -113,6 +115,7 @@ TEST(ShippedConfiguration, IsGoodAndShowsEverySettingWithItsDefault) {
   EXPECT_EQ(config.workers.quarantine_window, initial.workers.quarantine_window);
   EXPECT_EQ(config.workers.quarantine_time, initial.workers.quarantine_time);
   EXPECT_EQ(config.scenes.max_bytes, initial.scenes.max_bytes);
+  EXPECT_EQ(config.metrics, initial.metrics);
   EXPECT_EQ(config.log_level, initial.log_level);
   EXPECT_FALSE(read_robots(config).empty());
 }
@@ -164,6 +167,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"PreloadNotAList", "scenes: {preload: scenes}", "2: scenes.preload: must be a list of paths (is 'scenes')"},
         Fault{"PreloadMissing", "scenes:\n  preload:\n    - scenes\n    - moon",
               "5: scenes.preload[1]: must be a folder that is there"},
+        Fault{"MetricsAddress", "metrics:\n  address: localhost",
+              "3: metrics.address: must be an IP address as numbers, such as 127.0.0.1 (is 'localhost')"},
+        Fault{"MetricsPort", "metrics: {port: 65536}", "2: metrics.port: must be 0 to 65535 (is '65536')"},
         Fault{"LogLevel", "log_level: loud", "2: log_level: must be one of trace, debug"},
         Fault{"NotYaml", "name: [", "2: is not YAML"}),
     [](const auto& tested) { return tested.param.name; });
