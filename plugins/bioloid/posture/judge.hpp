@@ -14,16 +14,9 @@
 #include <vector>
 
 #include "bioloid/model/kinematics.hpp"
-#include "geometry/polygon.hpp"
+#include "bioloid/prism.hpp"
 
 namespace foothold::bioloid {
-
-// What stands on the ground: a prism over a convex polygon, from the ground up, in the world.
-struct Prism {
-  std::string name;
-  geometry::Polygon polygon;  // convex, counter-clockwise, m
-  double height = 0.0;        // m
-};
 
 struct Demands {
   double clearance = 0.002;  // m, between bodies that are not neighbours, and to obstacles
