@@ -18,6 +18,10 @@ if(FOOTHOLD_SANITIZE)
   add_compile_options(-fsanitize=${FOOTHOLD_SANITIZE} -fno-omit-frame-pointer -g1)
   add_link_options(-fsanitize=${FOOTHOLD_SANITIZE})
   add_compile_definitions(FOOTHOLD_SANITIZED=1)
+  if(FOOTHOLD_FUZZ)  # all of our code tells the fuzzer where it has been
+    add_compile_options(-fsanitize=fuzzer-no-link)
+    add_link_options(-fsanitize=fuzzer-no-link)
+  endif()
   if(FOOTHOLD_SANITIZE MATCHES thread)
     # Asio uses fences, which the sanitizer does not know; what they guard is also under locks.
     add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-tsan>)
@@ -28,7 +32,8 @@ endif()
 # -Wrestrict: gcc 12 sees overlaps in string + string that are not there.
 function(foothold_ours target)
   target_compile_options(${target} PRIVATE
-    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-missing-field-initializers -Wno-restrict>)
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-missing-field-initializers>
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-restrict>)
   if(FOOTHOLD_WERROR AND NOT FOOTHOLD_SANITIZE)
     target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
   endif()

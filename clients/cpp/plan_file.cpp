@@ -31,6 +31,8 @@ Json parse(std::string_view text, const Place& place) {
     const auto lines_before =
         std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())), '\n');
     place.refuse("line " + std::to_string(lines_before + 1) + ": not JSON");
+  } catch (const Json::out_of_range& error) {
+    place.refuse(std::string("a number is too large: ") + error.what());
   }
 }
 

@@ -17,6 +17,10 @@ struct Unit {
   double factor;
 };
 
+// Far beyond any robot: an alias may make a small file endless.
+constexpr int kDeepest = 16;
+constexpr std::size_t kMostQuantities = 10000;
+
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr Unit kUnits[] = {{"m", "m", 1.0},         {"cm", "m", 0.01},
                            {"mm", "m", 0.001},      {"rad", "rad", 1.0},
@@ -35,7 +39,7 @@ class ModelReader {
   explicit ModelReader(const std::string& file) : file_(file) {}
 
   std::map<std::string, Quantity, std::less<>> read(const YAML::Node& model) {
-    walk(model, "");
+    walk(model, "", 0);
     return std::move(quantities_);
   }
 
@@ -44,15 +48,17 @@ class ModelReader {
     throw FileError(file_, node.Mark().line + 1, path.empty() ? "model" : "model." + path, reason);
   }
 
-  void walk(const YAML::Node& node, const std::string& path) {
+  void walk(const YAML::Node& node, const std::string& path, int depth) {
+    if (depth > kDeepest) fail(node, path, "is nested deeper than " + std::to_string(kDeepest) + " levels");
     if (!node.IsMap()) fail(node, path, "must be a map of quantities, or {value: ..., unit: ..., source: ...}");
     if (node["value"]) {
       if (!quantities_.emplace(path, leaf(node, path)).second) fail(node, path, "is given twice");
+      if (quantities_.size() > kMostQuantities) fail(node, path, "there are more than " + std::to_string(kMostQuantities) + " quantities");
       return;
     }
     for (const auto& entry : node) {
       const auto key = entry.first.as<std::string>();
-      walk(entry.second, path.empty() ? key : path + "." + key);
+      walk(entry.second, path.empty() ? key : path + "." + key, depth + 1);
     }
   }
 
