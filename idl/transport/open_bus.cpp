@@ -11,18 +11,24 @@
 namespace foothold::transport {
 namespace {
 
-// FOOTHOLD_BUS_DIR alone if it is set; else ../lib beside the program, then wherever the loader looks.
+// FOOTHOLD_BUS_DIR alone if it is set; else beside the program (../lib of a build, ../lib/foothold of an installation), then the
+// folder of the installation, then wherever the loader looks.
 std::vector<std::string> candidates(const std::string& file) {
   if (const char* folder = std::getenv("FOOTHOLD_BUS_DIR"); folder != nullptr && *folder != '\0') {
     return {(std::filesystem::path(folder) / file).string()};
   }
   std::vector<std::string> paths;
   std::error_code fault;
+  const auto look = [&](const std::filesystem::path& folder) {
+    if (std::filesystem::exists(folder / file, fault)) paths.push_back((folder / file).string());
+  };
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", fault);
   if (!fault) {
-    const std::filesystem::path beside = program.parent_path().parent_path() / "lib" / file;
-    if (std::filesystem::exists(beside, fault)) paths.push_back(beside.string());
+    const std::filesystem::path libraries = program.parent_path().parent_path() / "lib";
+    look(libraries);
+    look(libraries / "foothold");
   }
+  look(FOOTHOLD_INSTALLED_BUS_DIR);
   paths.push_back(file);
   return paths;
 }
