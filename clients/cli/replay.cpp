@@ -21,6 +21,7 @@ std::optional<std::size_t> first_difference(const std::vector<msg::Step>& before
   for (std::size_t i = 0; i < common; ++i) {
     msg::Step step = now[i];
     step.request(before[i].request());
+    step.server(before[i].server());
     if (msg::encode(step) != msg::encode(before[i])) return i;
   }
   return before.size() == now.size() ? std::nullopt : std::optional(common);

@@ -79,10 +79,12 @@ std::optional<Frame> FrameReader::next() {
 std::optional<StepHead> peek_step(std::span<const std::byte> step) {
   constexpr std::array<std::byte, 4> kLittleEndianCdr = {std::byte{0}, std::byte{1}, std::byte{0}, std::byte{0}};
   StepHead head{};
-  if (step.size() < kLittleEndianCdr.size() + head.request.size() + sizeof(head.index)) return std::nullopt;
+  constexpr std::size_t kRequest = kLittleEndianCdr.size(), kServer = kRequest + head.request.size(),
+                        kIndex = kServer + sizeof(msg::Id);
+  if (step.size() < kIndex + sizeof(head.index)) return std::nullopt;
   if (!std::ranges::equal(step.first<4>(), kLittleEndianCdr)) return std::nullopt;
-  std::memcpy(head.request.data(), step.data() + 4, head.request.size());
-  std::memcpy(&head.index, step.data() + 20, sizeof(head.index));
+  std::memcpy(head.request.data(), step.data() + kRequest, head.request.size());
+  std::memcpy(&head.index, step.data() + kIndex, sizeof(head.index));
   return head;
 }
 

@@ -2,6 +2,7 @@
 #include "jobs/events.hpp"
 
 #include <chrono>
+#include <cstring>
 
 #include "foothold/msg/errors.hpp"
 #include "jobs/admission/admission.hpp"
@@ -16,6 +17,8 @@ msg::PlanEvent change_event(const Speaker& speaker, const msg::PlanRequest& requ
   event.request(request.id());
   event.client(request.client());
   event.server(speaker.server);
+  event.robot(request.robot());
+  event.unit(request.unit());
   event.state(state);
   event.stamp(stamp);
   event.steps(steps);
@@ -49,6 +52,11 @@ void complete_summary(msg::Summary& summary, const Speaker& speaker, const Job& 
   summary.scene_revision(job.request.scene_revision());
   summary.parameters(complete_parameters(job.request.parameters(), info.parameters()));
   summary.seed(job.request.seed());
+}
+
+void sign_step(const Speaker& speaker, Bytes& step) {
+  constexpr std::size_t kServer = 4 + sizeof(Id);  // behind the encapsulation and the request
+  if (step.size() >= kServer + sizeof(Id)) std::memcpy(step.data() + kServer, speaker.server.data(), sizeof(Id));
 }
 
 Ending ending_of(const RunEnd& end) {

@@ -26,6 +26,9 @@ msg::PlanEvent unknown_event(const Speaker& speaker, const Id& request, const Id
 // Fills in what only the server knows of a plan that ran: counts, waiting time, names, versions, parameters with defaults, seed.
 void complete_summary(msg::Summary& summary, const Speaker& speaker, const Job& job, const RobotStatus& robot);
 
+// Writes the server's id into a step that a worker made: workers do not know whose they are. `step`: CDR of foothold::msg::Step.
+void sign_step(const Speaker& speaker, Bytes& step);
+
 // What a worker's report means for the request. Only for runs that nobody stopped: a decided ending goes before any report.
 Ending ending_of(const RunEnd& end);
 

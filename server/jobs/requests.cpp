@@ -35,8 +35,8 @@ void Jobs::request(msg::PlanRequest request) {
   if (request.server() != msg::kNoId && request.server() != options_.server) return;
   ports_.outbox.open(request.client());
   if (request.id() == msg::kNoId) {
-    push(request.id(),
-         change_event(speaker_, request, msg::REJECTED, ports_.clock.stamp(), 0, *check_form(request, options_.budget_max)));
+    push(request.id(), change_event(speaker_, essence(request), msg::REJECTED, ports_.clock.stamp(), 0,
+                                    *check_form(request, options_.budget_max)));
     return;
   }
   const auto is_known = known(request.id());

@@ -81,6 +81,7 @@ void Jobs::on_run_step(Run run, std::uint32_t index, Bytes step) {
     return finish(*job, {msg::FAILED, msg::make_error(msg::WORKER_PROTOCOL, message)});
   }
   ++job->seen;
+  sign_step(speaker_, step);
   if (index < job->replay.size()) return replayed(*job, index, std::move(step));
   const Id id = job->request.id();
   write(*job, [&] { ports_.journal.add_step(id, index, step); });

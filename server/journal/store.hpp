@@ -20,7 +20,7 @@ namespace foothold::server {
 
 class Store {
  public:
-  static constexpr int kSchemaVersion = 1;
+  static constexpr int kSchemaVersion = 2;
 
   // Opens or creates. Throws JournalError: not a journal of foothold, of another schema version, damaged, not writable; the message
   // says what to do.

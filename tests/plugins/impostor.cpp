@@ -23,12 +23,12 @@ void say(std::uint32_t length, std::uint32_t kind, std::uint64_t run, const std:
   [[maybe_unused]] const ssize_t sent = ::send(kChannel, frame.data(), frame.size(), MSG_NOSIGNAL);
 }
 
-// Little-endian CDR of a Step's beginning: encapsulation, request, index.
+// Little-endian CDR of a Step's beginning: encapsulation, request, server, index.
 std::vector<char> step_of(char id_octet, std::uint32_t index) {
   std::vector<char> step(64);
   step[1] = 1;
   std::memset(step.data() + 4, id_octet, 16);
-  std::memcpy(step.data() + 20, &index, 4);
+  std::memcpy(step.data() + 36, &index, 4);
   return step;
 }
 

@@ -227,7 +227,7 @@ TEST(Journal, AnotherSchemaVersionIsRefusedWithBothNumbers) {
   const TemporaryFolder folder;
   SqliteJournal(folder / "journal.db").commit();
   sqlite::Database(folder / "journal.db").run("PRAGMA user_version = 99");
-  EXPECT_NE(failure(folder / "journal.db").find("schema version 99, this server reads version 1"), std::string::npos);
+  EXPECT_NE(failure(folder / "journal.db").find("schema version 99, this server reads version 2"), std::string::npos);
 }
 
 TEST(Journal, ADamagedFileIsRefused) {

@@ -158,6 +158,7 @@ void fields(M& m, F&& f) {
 template <Is<Step> M, class F>
 void fields(M& m, F&& f) {
   f("request", m.request());
+  f("server", m.server());
   f("index", m.index());
   f("label", m.label());
   f("placed", m.placed());
@@ -198,6 +199,8 @@ void fields(M& m, F&& f) {
   f("request", m.request());
   f("client", m.client());
   f("server", m.server());
+  f("robot", m.robot());
+  f("unit", m.unit());
   f("state", m.state());
   f("answer", m.answer());
   f("stamp", m.stamp());
