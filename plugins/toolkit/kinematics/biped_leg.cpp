@@ -24,23 +24,34 @@ double wrapped(double angle) {
   return rest <= -std::numbers::pi ? rest + kTurn : rest;
 }
 
-// About Y by the right hand, from Z: a turn about Y adds to it.
-double pitch_of(double x, double z) { return std::atan2(x, z); }
+// Lengths here are metres: nothing under- or overflows, which std::hypot would guard against at three times the price.
+double length(double a, double b) { return std::sqrt(a * a + b * b); }
 
+// Angles from Z about Y by the right hand: a turn about Y adds to them. From (x, z) to (to_x, to_z).
+double turn_about_y(double x, double z, double to_x, double to_z) { return std::atan2(to_x * z - to_z * x, to_x * x + to_z * z); }
+
+// The stretched leg's angle, and the bend from there, 0 to pi, with its functions.
 struct Knee {
-  double middle = 0.0;  // the angle of the stretched leg
-  double bend = 0.0;    // from there, 0 to pi
+  double middle = 0.0, cosine_middle = 1.0, sine_middle = 0.0;
+  double bend = 0.0, cosine_bend = 1.0, sine_bend = 0.0;
 };
 
 std::optional<Knee> knee_at(const BipedLeg& leg, double distance) {
-  const double upper = std::hypot(leg.thigh.x(), leg.thigh.z()), lower = std::hypot(leg.shin.x(), leg.shin.z());
+  const double upper = length(leg.thigh.x(), leg.thigh.z()), lower = length(leg.shin.x(), leg.shin.z());
   const double stretched = upper + lower, folded = std::abs(upper - lower);
   if (!(distance <= stretched + kSlack && distance >= folded - kSlack)) return std::nullopt;
   // From its half: the cosine law would lose half of the digits at the stretched and at the folded leg.
   const double to_stretched = std::max(0.0, (stretched - distance) * (stretched + distance));
   const double to_folded = std::max(0.0, (distance - folded) * (distance + folded));
-  return Knee{pitch_of(leg.thigh.x(), leg.thigh.z()) - pitch_of(leg.shin.x(), leg.shin.z()),
-              2.0 * std::atan2(std::sqrt(to_stretched), std::sqrt(to_folded))};
+  const double sine = std::sqrt(to_stretched), cosine = std::sqrt(to_folded), sum = to_stretched + to_folded;
+  Knee out;
+  out.middle = turn_about_y(leg.shin.x(), leg.shin.z(), leg.thigh.x(), leg.thigh.z());
+  out.cosine_middle = (leg.thigh.x() * leg.shin.x() + leg.thigh.z() * leg.shin.z()) / (upper * lower);
+  out.sine_middle = (leg.thigh.x() * leg.shin.z() - leg.thigh.z() * leg.shin.x()) / (upper * lower);
+  out.bend = 2.0 * std::atan2(sine, cosine);
+  out.cosine_bend = (to_folded - to_stretched) / sum;
+  out.sine_bend = 2.0 * sine * cosine / sum;
+  return out;
 }
 
 // One turn of the ankle's roll: +1 with the hip over the ankle, -1 under it.
@@ -51,7 +62,7 @@ struct Turned {
 
 Turned turned(const Isometry3d& ankle, double over) {
   const Vector3d hip = -(ankle.linear().transpose() * ankle.translation());
-  const double off = std::hypot(hip.y(), hip.z());
+  const double off = length(hip.y(), hip.z());
   double cosine = over, sine = 0.0;
   if (off > kSingular) {
     cosine = over * hip.z() / off;
@@ -72,7 +83,7 @@ struct Hip {
 };
 
 Hip hip_at(const Matrix3d& rest, const Vector3d& ankle, double within) {
-  const double level = std::hypot(rest(0, 1), rest(1, 1));
+  const double level = length(rest(0, 1), rest(1, 1));
   double cy = 1.0, sy = 0.0;
   Hip out;
   if (level > kSingular) {
@@ -80,7 +91,7 @@ Hip hip_at(const Matrix3d& rest, const Vector3d& ankle, double within) {
     sy = -within * rest(0, 1) / level;
     out.yaw = std::atan2(sy, cy);
   }
-  const double norm = std::hypot(level, rest(2, 1));
+  const double norm = length(level, rest(2, 1));
   const double cr = within * level / norm, sr = rest(2, 1) / norm;
   out.roll = std::atan2(sr, cr);
   // Rows 0 and 2 of Rx(-roll) Rz(-yaw), which stay exact at a roll of 90 deg.
@@ -91,13 +102,16 @@ Hip hip_at(const Matrix3d& rest, const Vector3d& ankle, double within) {
   return out;
 }
 
-BipedLeg::Angles angles_of(const BipedLeg& leg, const Turned& turn, const Hip& hip, double knee) {
-  const double cosine = std::cos(knee), sine = std::sin(knee);
+// `side`: +1 bends the knee by the right hand, -1 the other way.
+BipedLeg::Angles angles_of(const BipedLeg& leg, const Turned& turn, const Hip& hip, const Knee& at, double side) {
+  const double knee = at.middle + side * at.bend;
+  const double cosine = at.cosine_middle * at.cosine_bend - side * at.sine_middle * at.sine_bend;
+  const double sine = at.sine_middle * at.cosine_bend + side * at.cosine_middle * at.sine_bend;
   const double x = leg.thigh.x() + cosine * leg.shin.x() + sine * leg.shin.z();
   const double z = leg.thigh.z() - sine * leg.shin.x() + cosine * leg.shin.z();
-  const double pitch = std::hypot(x, z) > kSingular ? pitch_of(hip.forward, hip.up) - pitch_of(x, z) : 0.0;
+  const double pitch = length(x, z) > kSingular ? turn_about_y(x, z, hip.forward, hip.up) : 0.0;
   BipedLeg::Angles out;
-  out << hip.yaw, hip.roll, wrapped(pitch), wrapped(knee), wrapped(hip.pitches - pitch - knee), turn.ankle_roll;
+  out << hip.yaw, hip.roll, pitch, wrapped(knee), wrapped(hip.pitches - pitch - knee), turn.ankle_roll;
   return out;
 }
 
@@ -144,7 +158,7 @@ BipedLeg::Solutions BipedLeg::inverse(const Isometry3d& ankle) const {
     const Hip hip = hip_at(turn.rest, ankle.translation(), branch & 4 ? -1.0 : 1.0);
     const auto at = static_cast<std::size_t>(out.count++);
     out.branch[at] = branch;
-    out.angles[at] = angles_of(*this, turn, hip, knee->middle + (other_bend ? -knee->bend : knee->bend));
+    out.angles[at] = angles_of(*this, turn, hip, *knee, other_bend ? -1.0 : 1.0);
   }
   return out;
 }
@@ -153,7 +167,7 @@ bool BipedLeg::standing(const Isometry3d& ankle, Angles& angles) const {
   const auto knee = knee_at(*this, ankle.translation().norm());
   if (!knee) return false;
   const Turned turn = turned(ankle, 1.0);
-  angles = angles_of(*this, turn, hip_at(turn.rest, ankle.translation(), 1.0), knee->middle + knee->bend);
+  angles = angles_of(*this, turn, hip_at(turn.rest, ankle.translation(), 1.0), *knee, 1.0);
   return true;
 }
 
