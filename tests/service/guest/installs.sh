@@ -1,5 +1,6 @@
 # The package installs, and the server runs: enabled, ready, with every robot, as a user of its own.
 . /root/guest/lib.sh
+all_files >$work/files-before
 dpkg -i /root/foothold.deb
 systemctl is-active $unit
 systemctl is-enabled $unit
@@ -11,3 +12,10 @@ done
 [ "$(stat -c %u /proc/"$(pid)")" -ge 61184 ] || fail "not a dynamic user: $(stat -c %u /proc/"$(pid)")"
 [ "$(stat -c %a /var/lib/private/footholdd)" = 700 ] || fail "others may look into the state"
 grep -q "^0::.*/foothold.slice/$unit" /proc/"$(pid)"/cgroup || fail "not in its slice: $(cat /proc/"$(pid)"/cgroup)"
+
+# A planner of the administrator's own: its library and its robot's file.
+mkdir -p /usr/local/lib/foothold
+cp /root/many.so /usr/local/lib/foothold/walker.so
+cp /root/guest/walker.yaml /etc/foothold/robots/
+systemctl restart $unit
+foothold --timeout 20 robots walker
