@@ -1,30 +1,26 @@
 // The stochastic method, rule by rule (Bioloid paper, section II.D; Figures 8, 12 and 13).
 //
-//   1 Direction    every joint advances towards its goal: forward if that is greater or equal, else back.
-//   2 Retirement   a joint that has arrived is excluded.
-//   3 Hole         at an invalid point the step is made greater, to land on a valid point beyond it.
-//   4 Detour       else the last valid point is kept, the joint that is farthest from its goal found, and the retired joints are
-//   set
-//                  moving in random directions, beyond their goals, within limits, until the farthest joint's value differs from
-//                  the kept one; then the directions are computed anew.
-//   5 Best approach  at every invalid point the path so far is kept if more joints have arrived than in the one kept before; it is
-//                  taken up again when no advance is possible.
+//   1 Direction      Every joint advances towards its goal: forward if that is greater or equal, else back.
+//   2 Retirement     A joint that has arrived is excluded.
+//   3 Hole           At an invalid point the step is made greater, to land on a valid point beyond it.
+//   4 Detour         Else the last valid point is kept, the joint that is farthest from its goal found, and the retired joints
+//                    are set moving in random directions, beyond their goals, within limits, until the farthest joint's value
+//                    differs from the kept one; then the directions are computed anew.
+//   5 Best approach  At every invalid point the path so far is kept if more joints have arrived than in the one kept before;
+//                    it is taken up again when no advance is possible.
 //
 // Taken so, where the paper does not say:
-// - All joints that are underway advance in the same iteration. Farthest: by the number of its steps, for "it requires the most
-// iterations".
-// - The hole comes before the detour, and a greater step stays what Space::moves accepts: up to Options::growth steps.
-// - While the farthest joint is blocked, the others underway go on ("the direction of the other joints is computed anew"
-// afterwards, so they
-//   move): without that, nothing moves where no joint has arrived. In order: all together; the farthest with the wandering ones;
-//   the farthest alone; the others with the wandering ones; the wandering ones alone. The first that is valid is done; each one
-//   judged is an iteration.
+// - All joints that are underway advance in the same iteration. The farthest joint is the one with the most steps left, for it
+//   "requires the greatest number of iterations".
+// - The hole comes before the detour; the greater step has up to Options::growth steps, and must be valid by Space::moves.
+// - While the farthest joint is blocked, the others underway go on: without that nothing would move where no joint has arrived.
+//   In order: all together; the farthest with the wandering ones; the farthest alone; the others with the wandering ones; the
+//   wandering ones alone. The first that is valid is done. Each one judged is an iteration.
 // - A random direction is kept while it can be followed, turned at a limit, drawn anew when nothing was valid (an iteration too).
 // - "No advance is possible": a detour has lasted Options::patience iterations.
-// - Approaches with equally many arrived joints: the one with fewer iterations left is nearer. Taken up again without a better one
-// since,
-//   the approach is a dead end, which the rules would lead into for ever: it loses its last 1, 2, 4, ... points, down to the start
-//   and again from 1, and all joints but the farthest wander for as many iterations before they advance.
+// - Of approaches with equally many arrived joints, the one with fewer iterations left is nearer. One that is taken up again
+//   without a better one since is a dead end, into which the rules would lead for ever: it loses its last 1, 2, 4, ... points,
+//   down to the start and again from 1, and all joints but the farthest wander for as many iterations before they advance.
 #include <algorithm>
 #include <cmath>
 #include <span>

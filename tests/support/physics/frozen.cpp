@@ -1,14 +1,12 @@
 // A frozen stance as a MuJoCo model, and its way under gravity.
 #include "physics/frozen.hpp"
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
-#include <cstdio>
-#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "physics/mujoco.hpp"
 
 namespace foothold::physics {
 namespace {
@@ -17,22 +15,13 @@ constexpr double kFoot = 0.01;             // m, radius of the spheres
 constexpr double kTimeStep = 0.001;        // s, a quarter of the contacts' time constant: with half of it some stances creep
 constexpr std::size_t kMostContacts = 31;  // bits of MuJoCo's contact filter
 
-std::string words(const Vector3d& v) {
-  std::ostringstream out;
-  out.precision(17);
-  out << v.x() << ' ' << v.y() << ' ' << v.z();
-  return out.str();
-}
-
 std::string model_xml(const FrozenStance& stance) {
   std::ostringstream out;
   out.precision(17);
   out << "<mujoco><compiler autolimits='true'/>"
-      << "<option timestep='" << kTimeStep << "' gravity='0 0 -9.80665' cone='elliptic' impratio='10' noslip_iterations='20'"
-      << " solver='Newton' iterations='200' tolerance='1e-12'/>"
+      << "<option timestep='" << kTimeStep << "' " << kContactOptions << " solver='Newton' iterations='200' tolerance='1e-12'/>"
       << "<size nconmax='100' njmax='500'/>"
-      << "<default><geom condim='3' priority='1' friction='" << stance.friction
-      << " 0 0' solref='0.004 1' solimp='0.99 0.999 0.0001'/>"
+      << "<default><geom condim='3' priority='1' friction='" << stance.friction << " 0 0' " << kContactSolver << "/>"
       << "</default><worldbody>";
   for (std::size_t k = 0; k < stance.contacts.size(); ++k) {
     const FrozenContact& contact = stance.contacts[k];
@@ -48,28 +37,6 @@ std::string model_xml(const FrozenStance& stance) {
   }
   out << "</body></worldbody></mujoco>";
   return out.str();
-}
-
-struct Free {
-  void operator()(mjModel* model) const { mj_deleteModel(model); }
-  void operator()(mjData* data) const { mj_deleteData(data); }
-};
-
-// MuJoCo reads models from files or from a virtual file system in memory only.
-std::unique_ptr<mjModel, Free> compiled(const std::string& xml) {
-  struct FileSystem {
-    FileSystem() : files(std::make_unique<mjVFS>()) { mj_defaultVFS(files.get()); }
-    ~FileSystem() { mj_deleteVFS(files.get()); }
-    std::unique_ptr<mjVFS> files;
-  } system;
-  mjVFS& files = *system.files;
-  if (mj_makeEmptyFileVFS(&files, "stance.xml", static_cast<int>(xml.size())) != 0)
-    throw std::runtime_error("MuJoCo has no room for a model of " + std::to_string(xml.size()) + " octets");
-  std::copy(xml.begin(), xml.end(), static_cast<char*>(files.filedata[0]));
-  char error[500] = "";
-  std::unique_ptr<mjModel, Free> model(mj_loadXML("stance.xml", &files, error, sizeof error));
-  if (!model) throw std::runtime_error(std::string("MuJoCo refuses a stance: ") + error);
-  return model;
 }
 
 // The centre of mass and the feet, which are the free body's geoms.
@@ -91,9 +58,8 @@ double greatest_way(const std::vector<Vector3d>& from, const std::vector<Vector3
 Drift let_go(const FrozenStance& stance, const FrozenOptions& options) {
   if (stance.contacts.empty() || stance.contacts.size() > kMostContacts)
     throw std::runtime_error("a frozen stance has 1 to 31 contacts, not " + std::to_string(stance.contacts.size()));
-  const std::unique_ptr<mjModel, Free> model = compiled(model_xml(stance));
-  const std::unique_ptr<mjData, Free> data(mj_makeData(model.get()));
-  if (!data) throw std::runtime_error("MuJoCo has no memory for a stance");
+  const OwnedModel model = compiled(model_xml(stance));
+  const OwnedData data = state_of(*model);
   while (data->time < options.settling) mj_step(model.get(), data.get());
   mj_forward(model.get(), data.get());
   const std::vector<Vector3d> settled = places(*model, *data);
