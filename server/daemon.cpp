@@ -7,6 +7,7 @@
 #include <csignal>
 #include <thread>
 
+#include "exposure.hpp"
 #include "service.hpp"
 
 namespace foothold::server {
@@ -63,8 +64,11 @@ void Daemon::run() {
 // Every robot is ready or refused: from here on the server can be heard.
 void Daemon::open_bus() {
   if (stopping_ || bus_) return;
-  bus_ = transport::open_bus(
-      {.vendor = config_.dds.vendor, .domain = config_.dds.domain, .network_config = config_.dds.network_config});
+  tell_exposure(config_.dds);
+  bus_ = transport::open_bus({.vendor = config_.dds.vendor,
+                              .domain = config_.dds.domain,
+                              .network_config = config_.dds.network_config,
+                              .security = config_.dds.security});
   const auto complain = [this](const std::string& sentence) { spdlog::warn("{}", sentence); };
   announcer_.emplace(*bus_, journal_.server_id());
   partitions_.emplace(*bus_, clock_,

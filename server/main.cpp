@@ -11,6 +11,7 @@
 #include "command_line.hpp"
 #include "config/reading.hpp"
 #include "daemon.hpp"
+#include "exposure.hpp"
 
 namespace foothold::server {
 namespace fs = std::filesystem;
@@ -40,6 +41,11 @@ ServerConfig configured(const CommandLine& line) {
   if (config.state_dir.empty()) {
     Faults faults;
     faults.add(line.config, 0, "state_dir", "is missing; name a folder there or by --state-dir");
+    throw ConfigError(faults);
+  }
+  if (const std::string fault = fault_of_security(config.dds); !fault.empty()) {
+    Faults faults;
+    faults.add(line.config, 0, "dds.security", fault);
     throw ConfigError(faults);
   }
   return config;

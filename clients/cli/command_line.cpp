@@ -26,6 +26,7 @@ struct Everything {
   ScenePutOptions scene_put;
   PluginInfoOptions plugin_info;
   DrawOptions draw;
+  SecurityOptions security;
   std::string generate_folder, generate_shell;
   std::function<Exit()> chosen;
 };
@@ -63,6 +64,9 @@ void declare_common(Everything& all) {
   all.app.add_option("--network", common.network, "A configuration file of that DDS library; without it only this host is reached")
       ->envname("FOOTHOLD_NETWORK")
       ->type_name("FILE");
+  all.app.add_option("--security", common.security, "A folder of credentials, where the server's DDS Security is on")
+      ->envname("FOOTHOLD_SECURITY")
+      ->type_name("DIR");
   all.app.add_option("--server", common.server, "Ask only the server of this name or id")->type_name("NAME");
   all.app.add_option("--timeout", common.timeout, "How long to wait for a server or its answer")
       ->check(kSeconds)
@@ -149,6 +153,41 @@ void declare_looking(Everything& all) {
           [&all] { return run_doctor(all.common); });
 }
 
+void declare_security(Everything& all) {
+  SecurityOptions& options = all.security;
+  CLI::App* security = all.app.add_subcommand("security", "Credentials for DDS Security")->require_subcommand(1);
+
+  CLI::App* init = command(all, *security, "init", "Make an authority: the key that signs everybody's credentials",
+                           [&all] { return run_security_init(all.security); });
+  init->add_option("folder", options.folder, "Its folder, new or empty")->required()->type_name("DIR");
+  init->add_option("--years", options.years, "How long it is valid")->type_name("NUMBER")->capture_default_str();
+  init->footer("Keep the folder on the operators' machine: whoever has it can make himself any credentials.");
+
+  const auto authority = [&options](CLI::App* sub) {
+    sub->add_option("--authority", options.authority, "The folder of the authority")->required()->type_name("DIR");
+  };
+  CLI::App* issue = command(all, *security, "issue", "Make credentials for a server, a client or an observer",
+                            [&all] { return run_security_issue(all.security); });
+  issue->add_option("name", options.name, "Whose they are")->required()->type_name("NAME");
+  issue
+      ->add_option("--role", options.role, "What they allow: server, client (own requests and plans) or observer (reads all plans)")
+      ->required()
+      ->check(CLI::IsMember({"server", "client", "observer"}).description(""))
+      ->type_name("ROLE");
+  issue->add_option("-o,--output", options.output, "Their folder, new or empty")->required()->type_name("DIR");
+  issue->add_option("--days", options.days, "How long they are valid")->type_name("NUMBER")->capture_default_str();
+  authority(issue);
+
+  CLI::App* revoke = command(all, *security, "revoke", "Add somebody's credentials to the list of revoked ones",
+                             [&all] { return run_security_revoke(all.security); });
+  revoke->add_option("name", options.name, "Whose credentials")->required()->type_name("NAME");
+  authority(revoke);
+
+  CLI::App* list = command(all, *security, "list", "List everybody who was given credentials",
+                           [&all] { return run_security_list(all.common, all.security); });
+  authority(list);
+}
+
 std::string exit_codes() {
   std::string text = "Exit codes:";
   for (const ExitMeaning& exit : kExitMeanings) text += format("\n  %-4d", static_cast<int>(exit.code)) + std::string(exit.meaning);
@@ -171,6 +210,7 @@ OptionHelp help_of(const CLI::Option& option) {
   help.value = option.get_type_name();
   if (help.value == "VENDOR") help.choices = {"cyclone", "fastdds"};
   if (help.value == "VIEW") help.choices = {"above", "oblique", "both"};
+  if (help.value == "ROLE") help.choices = {"server", "client", "observer"};
   if (help.value == "WHAT") help.choices = {"scene", "plan"};
   if (const auto more = help.value.find(':'); more != std::string::npos) help.value.resize(more);
   if (help.names.size() == 1 && option.get_positional()) help.names = {help.value};
@@ -255,6 +295,7 @@ std::function<Exit()> parse(int count, char** words) {
   declare_planning(*all);
   declare_asking(*all);
   declare_looking(*all);
+  declare_security(*all);
   declare_generate(*all);
   all->app.footer(exit_codes());  // last: commands take over what their parent has when they are made
   try {

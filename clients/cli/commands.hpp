@@ -15,6 +15,7 @@ struct Common {
   std::string dds = "cyclone";
   std::uint32_t domain = 0;
   std::string network;   // a vendor's configuration file; empty: loopback
+  std::string security;  // a folder of credentials; empty: DDS Security is off
   std::string server;    // name or id; empty: any
   double timeout = 5.0;  // s to wait for a server or its answer
   bool json = false;
@@ -66,6 +67,13 @@ struct DrawOptions {
   std::optional<double> width, azimuth, elevation;
 };
 
+struct SecurityOptions {
+  std::string folder;     // of an authority that is to be made
+  std::string authority;  // the folder of one that is there
+  std::string name, role, output;
+  double years = 10.0, days = 365.0;
+};
+
 // Each prints to stdout; what went wrong is thrown as a Complaint (terminal.hpp) and printed to stderr by main().
 Exit run_robots(const Common& common, const RobotsOptions& options);
 Exit run_plan(const Common& common, const PlanOptions& options);
@@ -77,5 +85,9 @@ Exit run_scene_list(const Common& common);
 Exit run_plugin_info(const Common& common, const PluginInfoOptions& options);
 Exit run_draw(const Common& common, const DrawOptions& options);
 Exit run_doctor(const Common& common);
+Exit run_security_init(const SecurityOptions& options);
+Exit run_security_issue(const SecurityOptions& options);
+Exit run_security_revoke(const SecurityOptions& options);
+Exit run_security_list(const Common& common, const SecurityOptions& options);
 
 }  // namespace foothold::cli

@@ -38,12 +38,15 @@ msg::Id parse_id(const std::string& text) {
   return *id;
 }
 
+transport::BusOptions bus_options(const Common& common) {
+  return {.vendor = common.dds, .domain = common.domain, .network_config = common.network, .security = common.security};
+}
+
 Connection connect(const Common& common) {
   Connection connection;
   watch_interrupts();
   try {
-    connection.client = std::make_unique<client::Client>(
-        transport::BusOptions{.vendor = common.dds, .domain = common.domain, .network_config = common.network});
+    connection.client = std::make_unique<client::Client>(bus_options(common));
   } catch (const transport::BusError& error) {
     throw Complaint(Exit::kOther, error.what(), "'foothold doctor' looks at what DDS needs");
   }

@@ -15,6 +15,8 @@ struct Connection {
   msg::Id wanted{};           // its id if one was asked for, else zeros
 };
 
+transport::BusOptions bus_options(const Common& common);
+
 // Waits for a server, --timeout at most. Throws Complaint: no vendor library, bad --server, no server (kNoServer), Ctrl-C.
 Connection connect(const Common& common);
 

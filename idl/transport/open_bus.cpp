@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "foothold/security/credentials.hpp"
 #include "foothold/transport/bus.hpp"
 
 namespace foothold::transport {
@@ -57,6 +58,13 @@ std::unique_ptr<Bus> open_bus(const BusOptions& options) {
   }
   if (options.domain > kMaxDomain) {
     throw BusError("domain: " + std::to_string(options.domain) + " is above " + std::to_string(kMaxDomain));
+  }
+  if (!options.security.empty()) {
+    try {
+      security::read_credentials(options.security, options.vendor);
+    } catch (const security::SecurityError& error) {
+      throw BusError(std::string("security: ") + error.what());
+    }
   }
   return std::unique_ptr<Bus>(load(options.vendor)(options));
 }

@@ -16,6 +16,7 @@ struct DdsConfig {
   std::string vendor = "cyclone";  // cyclone or fastdds
   std::uint32_t domain = 0;        // 0 to 200
   std::string network_config;      // a vendor's XML file; empty: loopback only
+  std::string security;            // a folder of credentials; empty: DDS Security is off
 };
 
 // `workers:` How workers that died are started again, and when a robot is taken out.

@@ -19,6 +19,7 @@ void read_dds(Section dds, DdsConfig& out) {
   dds.count("domain", domain, {0, 200});
   out.domain = static_cast<std::uint32_t>(domain);
   dds.path("network_config", out.network_config, Section::Kind::kFile);
+  dds.path("security", out.security, Section::Kind::kFolder);
   dds.end();
 }
 

@@ -48,7 +48,7 @@ void Daemon::write_configuration() const {
        << "grace: " << options_.grace << "\n"
        << "log_level: " << options_.log_level << "\n"
        << "dds:\n  vendor: " << options_.vendor << "\n  domain: " << options_.domain << "\n"
-       << options_.more;
+       << (options_.security.empty() ? "" : "  security: " + options_.security + "\n") << options_.more;
   for (const TestRobot& robot : options_.robots) {
     const fs::path path = directory_ / ("robots/" + robot.name + ".yaml");
     if (!robot.file.empty()) {

@@ -30,6 +30,7 @@ struct DaemonOptions {
   std::string log_level = "info";
   std::string more;        // further lines of the configuration
   std::string plugin_dir;  // empty: that of the test planners
+  std::string security;    // folder of credentials; empty: none
 };
 
 // Thread rule: the main thread.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace foothold::test {
 
@@ -29,5 +30,9 @@ inline std::string pair_name(const testing::TestParamInfo<VendorPair>& info) {
   };
   return capital(info.param.server) + "Server" + capital(info.param.client) + "Client";
 }
+
+// Either vendor alone, as a parameter.
+inline const std::vector<std::string> kVendors{"cyclone", "fastdds"};
+inline std::string vendor_name(const testing::TestParamInfo<std::string>& info) { return info.param; }
 
 }  // namespace foothold::test

@@ -61,9 +61,11 @@ transport::ReaderEvents Wire::into(std::vector<Arrival<Message>>& list) {
   return events;
 }
 
-Wire::Wire(const std::string& vendor, std::uint32_t domain, const std::string& partition, const msg::Id& id) : id_(id) {
+Wire::Wire(const std::string& vendor, std::uint32_t domain, const std::string& partition, const msg::Id& id,
+           const std::string& security)
+    : id_(id) {
   const std::string own = partition.empty() ? msg::to_hex(id_) : partition;
-  bus_ = transport::open_bus({vendor, domain, {}});
+  bus_ = transport::open_bus({vendor, domain, {}, security});
   event_reader_ = bus_->reader(Topic::kEvent, own, into(events_));
   step_reader_ = bus_->reader(Topic::kStep, own, into(steps_));
   robot_reader_ = bus_->reader(Topic::kRobot, {}, into(robots_));

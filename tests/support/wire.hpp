@@ -36,8 +36,9 @@ msg::PlanRequest request_for(const std::string& robot, double budget = 30.0,
 // Thread rule: one thread uses it; the bus's threads fill it.
 class Wire {
  public:
-  // `partition` empty: the client's own. "*": an observer.
-  Wire(const std::string& vendor, std::uint32_t domain, const std::string& partition = {}, const msg::Id& id = msg::random_id());
+  // `partition` empty: the client's own. "*": an observer. `security`: a folder of credentials.
+  Wire(const std::string& vendor, std::uint32_t domain, const std::string& partition = {}, const msg::Id& id = msg::random_id(),
+       const std::string& security = {});
   ~Wire();
 
   const msg::Id& id() const { return id_; }

@@ -31,7 +31,7 @@ Findings check_vendor(Common common) {
   common.timeout = std::min(common.timeout, kMostPatience);
   const std::string subject = "server by " + chosen;
   try {
-    client::Client client({.vendor = common.dds, .domain = common.domain, .network_config = common.network});
+    client::Client client(bus_options(common));
     findings.push_back({Level::kOk, "DDS library", client.bus_version(), ""});
     if (!client.wait_for_server(common.timeout)) {
       const bool seen = !client.servers().empty();

@@ -4,6 +4,7 @@
 #include <dds/version.h>
 
 #include "../loopback_guard.hpp"
+#include "security.hpp"
 
 namespace foothold::transport::cyclone {
 
@@ -22,8 +23,9 @@ Entity::~Entity() {
 
 CycloneBus::CycloneBus(const BusOptions& options) {
   const LoopbackGuard guard(options.domain);
-  domain_.emplace(options.domain, options.network_config);
-  participant_ = Entity(dds_create_participant(options.domain, nullptr, nullptr),
+  domain_.emplace(options.domain, options.network_config, !options.security.empty());
+  const Qos qos = participant_qos(options.security);
+  participant_ = Entity(dds_create_participant(options.domain, qos.get(), nullptr),
                         "a participant in domain " + std::to_string(options.domain) +
                             " (more DDS programs on this host than MaxAutoParticipantIndex allows?)");
   if (options.network_config.empty()) guard.confine();

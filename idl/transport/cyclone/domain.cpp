@@ -14,6 +14,7 @@ namespace {
 struct Shared {
   dds_entity_t entity = 0;
   std::string configuration;
+  bool secured = false;
   int users = 0;
 };
 
@@ -38,13 +39,19 @@ std::string configuration_text(const std::string& network_config) {
 
 BusError error(const std::string& what, dds_return_t code) { return BusError(what + ": Cyclone DDS says " + dds_strretcode(code)); }
 
-Domain::Domain(std::uint32_t id, const std::string& network_config) : id_(id) {
+Domain::Domain(std::uint32_t id, const std::string& network_config, bool secured) : id_(id) {
   std::string configuration = configuration_text(network_config);
   const std::lock_guard lock(mutex);
   const auto found = domains().find(id);
   if (found != domains().end()) {
     if (found->second.configuration != configuration) {
       throw BusError("domain " + std::to_string(id) + " is open in this process with another network_config");
+    }
+    // Cyclone 0.10 keeps one set of credentials for all participants of a domain; where two have them, the timers of their
+    // handshakes with a participant of Fast DDS end the process (in fibheap_extract_min).
+    if (found->second.secured || secured) {
+      throw BusError("domain " + std::to_string(id) +
+                     " is open in this process already: with security Cyclone DDS takes one bus per domain and process");
     }
     ++found->second.users;
     return;
@@ -55,7 +62,7 @@ Domain::Domain(std::uint32_t id, const std::string& network_config) : id_(id) {
                    " was opened in this process by other code, with a configuration that is not known here");
   }
   if (entity < 0) throw error("cannot open domain " + std::to_string(id) + " (is the network configuration sound?)", entity);
-  domains().emplace(id, Shared{entity, std::move(configuration), 1});
+  domains().emplace(id, Shared{entity, std::move(configuration), secured, 1});
 }
 
 Domain::~Domain() {

@@ -10,10 +10,11 @@
 
 namespace foothold::transport::cyclone {
 
-// Any thread. Throws BusError if the domain cannot be made, or if it is in use here with another configuration.
+// Any thread. Throws BusError if the domain cannot be made, or if it is in use here: with another configuration, or
+// when either is secured.
 class Domain {
  public:
-  Domain(std::uint32_t id, const std::string& network_config);
+  Domain(std::uint32_t id, const std::string& network_config, bool secured);
   ~Domain();
   Domain(const Domain&) = delete;
   Domain& operator=(const Domain&) = delete;

@@ -13,6 +13,8 @@
 #include <fstream>
 #include <mutex>
 
+#include "security.hpp"
+
 namespace foothold::transport::fastdds {
 namespace {
 
@@ -106,12 +108,13 @@ Participant::Participant(const BusOptions& options) {
   auto& factory = *dds::DomainParticipantFactory::get_instance();
   factory.load_profiles();
   deliver_by_transport();
-  const dds::DomainParticipantQos qos = options.network_config.empty() ? loopback_qos() : profile_qos(options.network_config);
+  dds::DomainParticipantQos qos = options.network_config.empty() ? loopback_qos() : profile_qos(options.network_config);
+  if (!options.security.empty()) secure(qos, options.security);
   const LoopbackGuard guard(options.domain);
   participant_ = factory.create_participant(options.domain, qos);
   if (participant_ == nullptr) {
     throw BusError("cannot make a participant of Fast DDS in domain " + std::to_string(options.domain) +
-                   " (is the network configuration sound?)");
+                   " (is the network configuration sound? its log on stderr may say more)");
   }
   if (options.network_config.empty()) confine(guard);
 }

@@ -109,7 +109,7 @@ TEST_F(Documents, BashCompletionOffersCommandsOptionsAndWords) {
   ASSERT_EQ(foothold("generate completion bash " + folder_).code, 0);
   ASSERT_EQ(shell("bash -n " + folder_ + "/foothold").code, 0);
   EXPECT_EQ(bash_offers(folder_, "foothold pla"), "plan\n");
-  EXPECT_EQ(bash_offers(folder_, "foothold s"), "state scene\n");
+  EXPECT_EQ(bash_offers(folder_, "foothold s"), "state scene security\n");
   EXPECT_EQ(bash_offers(folder_, "foothold scene "), "put list -h --help\n");
   EXPECT_EQ(bash_offers(folder_, "foothold --dds f"), "fastdds\n");
   EXPECT_EQ(bash_offers(folder_, "foothold plan x.yaml --bud"), "--budget\n");

@@ -27,7 +27,7 @@ namespace foothold::client {
 
 // Times in seconds.
 struct ClientOptions {
-  msg::Id id = msg::kNoId;      // of this client, the name of its partition; zeros: a random one
+  msg::Id id = msg::kNoId;      // of this client, the name of its partition; zeros: a random one (with credentials, one of theirs)
   double repair_after = 0.1;    // without progress, a plan's state and missing steps are asked for; doubled up to ten times
   double resend_after = 0.5;    // unanswered, a request is sent again under its id; doubled up to 4 s
   double choose_within = 1.0;   // how long submit() waits for a server that has the robot before it asks any other

@@ -31,6 +31,9 @@ struct BusOptions {
   std::uint32_t domain = 0;        // 0 to kMaxDomain
   // A vendor's XML file that replaces the built-in loopback configuration. Empty: loopback.
   std::string network_config;
+  // A folder of credentials (foothold/security/credentials.hpp): DDS Security is on, and only who has some of the same authority is
+  // heard. Empty: no security.
+  std::string security;
 };
 
 // What a reader tells. Called on the vendor's threads (with Cyclone also inside the write() of a writer in this process), one at a
