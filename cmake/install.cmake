@@ -27,6 +27,9 @@ list(TRANSFORM conffiles PREPEND ${FOOTHOLD_CONFIG_DIR}/)
 list(JOIN conffiles "\n" conffiles)
 file(CONFIGURE OUTPUT debian/conffiles CONTENT "${conffiles}\n" @ONLY)
 
+# --- component dev
+include(cmake/dev.cmake)
+
 # Debian wants these in every package; the changelog is compressed as its tools do.
 set(changelog ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz)
 add_custom_command(OUTPUT ${changelog} COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/config/debian/changelog > ${changelog}
@@ -40,7 +43,8 @@ foreach(component foothold dev)
   install(FILES config/debian/copyright ${changelog} DESTINATION ${doc_dir}/${package} COMPONENT ${component})
 endforeach()
 
-add_custom_target(installed DEPENDS footholdd foothold-worker foothold planners foothold_documents foothold-terrain foothold-truss changelog)
+add_custom_target(installed DEPENDS footholdd foothold-worker foothold planners foothold_documents foothold-terrain foothold-truss changelog
+  ${exported})
 
 # Debian's manual pages are compressed.
 install(CODE [[
