@@ -61,12 +61,12 @@ class Proof {
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
     const Instant instant = judged_.skeleton.at(line_.from + middle * change_);
     const double time = line_.begin + middle * (line_.end - line_.begin);
-    clear(instant, half, time, open.items);
     if (open.balance || open.foot) {
       const Velocities velocities = judged_.skeleton.velocities(instant, change_);
       if (open.balance) open.balance = !balanced(instant, velocities, half, time);
       if (open.foot) open.foot = !(line_.stands ? fast(instant, velocities, half, time) : above(instant, velocities, half, time));
     }
+    clear(instant, half, time, open.items);
     if (open.none()) return;
     piece(from, middle, open);
     piece(middle, to, std::move(open));
