@@ -16,6 +16,7 @@ while [ $# -gt 0 ]; do
 done
 [ $# -gt 0 ] || set -- $(ls tests/fuzz/targets | sed 's/\.cpp$//')
 
+export LSAN_OPTIONS="suppressions=$PWD/tests/sanitizers/leaks.txt:print_suppressions=0"
 export ASAN_OPTIONS="detect_leaks=1:allocator_may_return_null=1:detect_stack_use_after_return=0" UBSAN_OPTIONS="print_stacktrace=1:halt_on_error=1"
 [ -w /dev/shm ] && export TMPDIR=/dev/shm   # files that are replaced ten thousand times a second are no work for a disk
 fuzz=build/fuzz

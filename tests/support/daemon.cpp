@@ -39,7 +39,7 @@ void Daemon::write_configuration() const {
   fs::create_directories(directory_ / "robots");
   std::ofstream file(directory_ / "footholdd.yaml");
   file << "name: test\n"
-       << "state_dir: " << directory_ / "state"
+       << "state_dir: " << (options_.state_dir.empty() ? directory_ / "state" : options_.state_dir)
        << "\n"
        << "robots_dir: " << directory_ / "robots"
        << "\n"

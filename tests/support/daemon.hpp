@@ -31,6 +31,7 @@ struct DaemonOptions {
   std::string more;        // further lines of the configuration
   std::string plugin_dir;  // empty: that of the test planners
   std::string security;    // folder of credentials; empty: none
+  std::string state_dir;   // empty: one of its own
 };
 
 // Thread rule: the main thread.

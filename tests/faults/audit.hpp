@@ -1,0 +1,24 @@
+// The journal after the storm, held against what clients and observer heard.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "observer.hpp"
+#include "record.hpp"
+
+namespace foothold::faults {
+
+struct Audit {
+  std::size_t requests = 0, steps = 0;  // that the journal holds
+  std::vector<std::string> complaints;  // sentences, a hundred at most
+};
+
+// `journal`: the database of a server that has ended. Complains of a request without a final state, steps that are not numbered
+// from 0 without gaps or are not as many as the final state says, a margin below its least, and of every difference between the
+// journal and what a client noted or the observer heard.
+Audit audit(const std::string& journal, const std::map<msg::Id, Outcome>& noted, const std::map<msg::Id, Final>& heard);
+
+}  // namespace foothold::faults
