@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <iterator>
 #include <thread>
 
 namespace foothold::faults {
@@ -81,6 +82,8 @@ bool Storm::rage(double seconds) {
   for (const auto& [fault, count] : options_.faults)
     if (fault != Fault::kDiskFull || disk_.available()) faults.insert(faults.end(), static_cast<std::size_t>(count), fault);
   std::shuffle(faults.begin(), faults.end(), random_);
+  // A full disk lasts: should the load end meanwhile, no other fault shall be left over.
+  if (const auto full = std::ranges::find(faults, Fault::kDiskFull); full != faults.end()) std::iter_swap(full, faults.end() - 1);
   for (std::size_t number = 0; number < clients_.size(); ++number) start_client(number);
 
   const std::size_t requests = std::size_t{options_.clients} * options_.requests;
@@ -88,10 +91,9 @@ bool Storm::rage(double seconds) {
   std::size_t next = 0;
   for (std::size_t running = clients_.size(); running > 0;) {
     if (Clock::now() > until) return false;
-    std::this_thread::sleep_for(5ms);
+    std::this_thread::sleep_for(20ms);
     // The last fault strikes when three quarters of the load are done.
-    if (next < faults.size() && observer_->finals() >= (next + 1) * requests * 3 / (4 * (faults.size() + 1)))
-      strike(faults[next++]);
+    if (next < faults.size() && ended() >= (next + 1) * requests * 3 / (4 * (faults.size() + 1))) strike(faults[next++]);
     running = 0;
     for (std::size_t number = 0; number < clients_.size(); ++number) {
       Client& client = clients_[number];
@@ -103,6 +105,15 @@ bool Storm::rage(double seconds) {
     }
   }
   return true;
+}
+
+std::size_t Storm::ended() const {
+  std::size_t lines = 0;
+  for (std::size_t number = 0; number < clients_.size(); ++number) {
+    std::ifstream in(record(number), std::ios::binary);
+    lines += static_cast<std::size_t>(std::count(std::istreambuf_iterator<char>(in), {}, '\n'));
+  }
+  return lines;
 }
 
 std::map<msg::Id, Outcome> Storm::noted() const {

@@ -59,6 +59,7 @@ class Storm {
     bool done = false;
   };
   std::string record(std::size_t client) const { return folder_ / ("record." + std::to_string(client)); }
+  std::size_t ended() const;  // requests, as the clients noted
   void start_client(std::size_t number);
   void strike(Fault fault);
   std::optional<pid_t> some_worker();
