@@ -77,7 +77,9 @@ void Daemon::open_bus() {
                                         .complain = complain});
   jobs_.emplace(JobsOptions{.server = journal_.server_id(),
                             .version = FOOTHOLD_VERSION,
-                            .queue_limit = config_.queue_limit,
+                            .limits = {.queued = config_.queue_limit,
+                                       .queued_per_client = config_.admission.queued_per_client,
+                                       .running_per_client = config_.admission.running_per_client},
                             .budget_max = config_.budget_max,
                             .grace = config_.grace,
                             .cancel_memory = config_.cancel_memory,

@@ -44,6 +44,14 @@ struct MetricsConfig {
   bool operator==(const MetricsConfig&) const = default;
 };
 
+// `admission:` What one client may ask for at a time, beside `queue_limit`, which is for all.
+struct AdmissionConfig {
+  std::size_t queued_per_client = 250;  // requests that wait
+  std::size_t running_per_client = 0;   // plans at the same time, of all robots; 0: as many as there are slots
+
+  bool operator==(const AdmissionConfig&) const = default;
+};
+
 struct ServerConfig {
   std::string name = "foothold";
   DdsConfig dds;
@@ -56,6 +64,7 @@ struct ServerConfig {
   double grace = 0.25;             // from the stop token to the kill
   double cancel_memory = 10.0;     // how long a cancel waits for its request
   double retention = 7 * 86400.0;  // of final states and steps
+  AdmissionConfig admission;
   WorkersConfig workers;
   ScenesConfig scenes;
   MetricsConfig metrics;

@@ -23,6 +23,12 @@ void read_dds(Section dds, DdsConfig& out) {
   dds.end();
 }
 
+void read_admission(Section admission, AdmissionConfig& out) {
+  admission.count("queued_per_client", out.queued_per_client, {1, 1e6});
+  admission.count("running_per_client", out.running_per_client, {0, 1e6});
+  admission.end();
+}
+
 void read_workers(Section workers, WorkersConfig& out) {
   workers.seconds("restart_first", out.restart_first, {0.001, 3600});
   workers.seconds("restart_longest", out.restart_longest, {0.001, 3600});
@@ -75,6 +81,7 @@ ServerConfig read_server_config(const std::string& file) {
     root.seconds("grace", config.grace, {0.001, 60});
     root.seconds("cancel_memory", config.cancel_memory, kTime);
     root.seconds("retention", config.retention, {1, 10 * kYear});
+    read_admission(root.section("admission"), config.admission);
     read_workers(root.section("workers"), config.workers);
     read_scenes(root.section("scenes"), config.scenes);
     read_metrics(root.section("metrics"), config.metrics);

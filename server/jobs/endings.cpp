@@ -9,7 +9,7 @@ namespace foothold::server {
 // Enters the final state. Nothing about the request changes after this, and it is forgotten here when the commit has succeeded.
 void Jobs::finish(Job& job, Ending ending) {
   const Id id = job.request.id();
-  if (job.last.state() == msg::QUEUED) queue_.remove(job.request.robot(), job.request.priority(), job.turn);
+  if (job.last.state() == msg::QUEUED) queue_.remove(job.place());
   set_alarm(job, std::nullopt);
   job.over = ports_.clock.now();
   msg::Summary summary = std::move(job.last.summary());

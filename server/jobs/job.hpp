@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jobs/ports.hpp"
+#include "jobs/queue.hpp"
 
 namespace foothold::server {
 
@@ -43,6 +44,7 @@ struct Job {
   bool touched = false;       // the running batch writes of it
   std::optional<Time> alarm;  // its entry among the timers
 
+  Queue::Place place() const { return {request.robot(), request.priority(), request.client(), turn}; }
   bool ended() const { return last.state() >= msg::SUCCEEDED; }
 };
 

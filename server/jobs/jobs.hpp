@@ -19,6 +19,7 @@
 #include <variant>
 #include <vector>
 
+#include "jobs/admission/admission.hpp"
 #include "jobs/early_cancels.hpp"
 #include "jobs/events.hpp"
 #include "jobs/job.hpp"
@@ -28,10 +29,17 @@
 
 namespace foothold::server {
 
+// How much may wait and run. May be changed while the server runs: what was accepted stays.
+struct AdmissionLimits {
+  std::size_t queued = 1000;            // requests that wait, of all clients and robots
+  std::size_t queued_per_client = 250;  // of these, of one client
+  std::size_t running_per_client = 0;   // plans of one client at the same time, of all robots; 0: as many as there are slots
+};
+
 struct JobsOptions {
   Id server{};
   std::string version;
-  std::size_t queue_limit = 1000;
+  AdmissionLimits limits;
   double budget_max = 3600.0;      // s
   double grace = 0.25;             // s, from the stop token to the kill
   double cancel_memory = 10.0;     // s
@@ -81,6 +89,9 @@ class Jobs final : public RunEvents {
   // Nothing is unfinished and nothing is left to tell.
   bool idle() const { return jobs_.empty() && outgoing_.empty(); }
 
+  // For the requests that come from now on.
+  void set_limits(const AdmissionLimits& limits);
+
   // Ends the batch: commit, then tell.
   void settle();
   // False if the batch holds nothing but receipts of requests that have just gone to their workers. It may wait a moment then: what
@@ -121,17 +132,21 @@ class Jobs final : public RunEvents {
   void take(msg::PlanRequest request);
   void refuse_request(msg::PlanRequest request, msg::State state, msg::Error error);
   std::optional<bool> known(const Id& id);
-  msg::Error queue_full() const;
+  Refusal check_room(const msg::PlanRequest& request) const;
+  double time_to_a_place(const msg::PlanRequest& request) const;
   Job& add_job(msg::PlanRequest request);
   void ask(const Id& request, const Id& client, std::optional<std::uint32_t> from_step);
 
   // runs.cpp
   Job* job_of(Run run);
-  bool can_start(const std::string& robot) const;
+  bool can_start(const msg::PlanRequest& request) const;
+  void enqueue(Job& job);
   void dispatch(const std::string& robot);
+  void dispatch_all();
   std::optional<Ending> hindrance(const Job& job) const;
   void start(Job& job);
   void tell_running(Job& job);
+  void run_is_over(Job& job);
   void abandon(Job& job);
   void replayed(Job& job, std::uint32_t index, Bytes step);
 
@@ -173,6 +188,8 @@ class Jobs final : public RunEvents {
   std::unordered_map<Run, Id> runs_;
   std::unordered_map<Run, Time> abandoned_;  // told to stop; killed then
   Queue queue_;
+  Shares shares_;
+  bool look_again_ = false;  // a client that waited for one of its own plans to end may go on
   EarlyCancels early_cancels_;
   std::set<std::pair<Time, Id>> alarms_;
 

@@ -34,10 +34,8 @@ void Jobs::resume(Record record) {
   if (auto refusal = admit(job.request, options_.budget_max, status, ports_.scenes))
     return finish(job, {msg::FAILED, std::move(*refusal)});
   job.replay = ports_.journal.steps(id, 0);
-  if (can_start(job.request.robot())) return start(job);
-  queue_.add(job.request.robot(), job.request.priority(), job.turn, id);
-  set_alarm(job, job.deadline);
-  tell(job, msg::QUEUED, {});
+  if (can_start(job.request)) return start(job);
+  enqueue(job);
 }
 
 }  // namespace foothold::server

@@ -1,5 +1,6 @@
 // What clients send: requests, cancels, queries.
 #include <algorithm>
+#include <cmath>
 
 #include "foothold/msg/errors.hpp"
 #include "jobs/admission/admission.hpp"
@@ -54,17 +55,15 @@ void Jobs::take(msg::PlanRequest request) {
   const RobotStatus status = ports_.planners.status(request.robot());
   if (auto refusal = admit(request, options_.budget_max, status, ports_.scenes))
     return refuse_request(std::move(request), msg::REJECTED, std::move(*refusal));
-  const bool at_once = can_start(request.robot());
-  if (!at_once && queue_.size() >= options_.queue_limit) return refuse_request(std::move(request), msg::REJECTED, queue_full());
+  const bool at_once = can_start(request);
+  if (!at_once)
+    if (auto refusal = check_room(request)) return refuse_request(std::move(request), msg::REJECTED, std::move(*refusal));
 
   Job& job = add_job(std::move(request));
-  if (at_once) {
+  if (at_once)
     start(job);
-  } else {
-    queue_.add(job.request.robot(), job.request.priority(), job.turn, job.request.id());
-    set_alarm(job, job.deadline);
-    tell(job, msg::QUEUED, {});
-  }
+  else
+    enqueue(job);
   write(job, [&] { ports_.journal.add_request(job.request, job.received); });
 }
 
@@ -88,12 +87,35 @@ void Jobs::refuse_request(msg::PlanRequest request, msg::State state, msg::Error
   finish(job, {state, std::move(error)});
 }
 
-msg::Error Jobs::queue_full() const {
-  auto error =
-      msg::make_error(msg::QUEUE_FULL, std::to_string(queue_.size()) + " requests wait already, which is this server's limit");
-  // A place becomes free when one of the running plans ends.
-  error.retry_after(std::clamp(mean_run_ / static_cast<double>(std::max<std::size_t>(1, runs_.size())), kLeastWait, kMostWait));
+Refusal Jobs::check_room(const msg::PlanRequest& request) const {
+  const AdmissionLimits& limits = options_.limits;
+  std::string reason;
+  if (queue_.of_client(request.client()) >= limits.queued_per_client)
+    reason = std::to_string(limits.queued_per_client) + " requests of this client wait already, which is the limit for one client";
+  else if (queue_.size() >= limits.queued)
+    reason = std::to_string(limits.queued) + " requests wait already, which is this server's limit";
+  else
+    return std::nullopt;
+  auto error = msg::make_error(msg::QUEUE_FULL, reason);
+  error.retry_after(std::clamp(time_to_a_place(request), kLeastWait, kMostWait));
   return error;
+}
+
+// s until one of the requests that hold this one up leaves the queue, if plans last as long as the recent ones did. A place of the
+// client's own becomes free when it has its next turn, one of anybody when the next plan ends.
+double Jobs::time_to_a_place(const msg::PlanRequest& request) const {
+  const auto at_least_one = [](std::size_t count) { return static_cast<double>(std::max<std::size_t>(1, count)); };
+  if (queue_.of_client(request.client()) < options_.limits.queued_per_client) return mean_run_ / at_least_one(runs_.size());
+  if (options_.limits.running_per_client != 0 && shares_.of(request.client()) >= options_.limits.running_per_client)
+    return mean_run_ / at_least_one(shares_.of(request.client()));
+  const RobotStatus status = ports_.planners.status(request.robot());
+  const double rounds = at_least_one(queue_.clients(request.robot())) / at_least_one(status.info ? status.info->slots() : 1);
+  return mean_run_ * std::ceil(rounds);
+}
+
+void Jobs::set_limits(const AdmissionLimits& limits) {
+  options_.limits = limits;
+  look_again_ = true;
 }
 
 void Jobs::cancel(const msg::CancelRequest& cancel) {

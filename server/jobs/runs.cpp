@@ -10,19 +10,38 @@ Job* Jobs::job_of(Run run) {
   return found == runs_.end() ? nullptr : &jobs_.at(found->second);
 }
 
-// While the storage fails nothing starts before its receipt is committed: it would only be stopped again.
-bool Jobs::can_start(const std::string& robot) const {
-  return storage_works_ && queue_.empty(robot) && ports_.planners.has_idle(robot);
+// While the storage fails nothing starts before its receipt is committed: it would only be stopped again. What waits although a
+// slot is idle waits for plans of its own client to end.
+bool Jobs::can_start(const msg::PlanRequest& request) const {
+  const std::size_t most = options_.limits.running_per_client;
+  if (!storage_works_ || !ports_.planners.has_idle(request.robot())) return false;
+  return (most == 0 || shares_.of(request.client()) < most) && !queue_.next(request.robot(), shares_, most);
+}
+
+void Jobs::enqueue(Job& job) {
+  queue_.add(job.place(), job.request.id());
+  set_alarm(job, job.deadline);
+  tell(job, msg::QUEUED, {});
 }
 
 void Jobs::dispatch(const std::string& robot) {
-  while (!queue_.empty(robot) && ports_.planners.has_idle(robot)) {
-    Job& job = jobs_.at(queue_.take(robot));
-    if (auto ending = hindrance(job))
+  while (ports_.planners.has_idle(robot)) {
+    const auto next = queue_.next(robot, shares_, options_.limits.running_per_client);
+    if (!next) return;
+    Job& job = jobs_.at(*next);
+    if (auto ending = hindrance(job)) {
       finish(job, std::move(*ending));
-    else
-      start(job);
+      continue;
+    }
+    queue_.take(job.place());
+    start(job);
   }
+}
+
+void Jobs::dispatch_all() {
+  look_again_ = false;
+  if (!storage_works_) return;
+  for (const std::string& robot : queue_.robots()) dispatch(robot);
 }
 
 // Why a request that waited cannot start now.
@@ -43,6 +62,7 @@ void Jobs::start(Job& job) {
   const double left = std::chrono::duration<double>(job.deadline - job.started).count();
   job.run = ports_.planners.start(job.request, left, scene);
   runs_.emplace(*job.run, job.request.id());
+  shares_.began(job.request.client(), job.request.robot());
   set_alarm(job, job.deadline);
   job.last = change_event(speaker_, job.request, msg::RUNNING, ports_.clock.stamp(), job.steps, {});
   job.told = false;
@@ -109,8 +129,7 @@ void Jobs::on_run_end(Run run, RunEnd end) {
   abandoned_.erase(run);
   Job* job = job_of(run);
   if (job == nullptr) return;
-  runs_.erase(run);
-  job->run.reset();
+  run_is_over(*job);
   job->killed = end.kind == RunEnd::Kind::kLost && end.error.code() == msg::WORKER_KILLED;
   constexpr double kWeight = 0.1;
   mean_run_ += kWeight * (std::chrono::duration<double>(ports_.clock.now() - job->started).count() - mean_run_);
@@ -126,14 +145,20 @@ void Jobs::on_run_end(Run run, RunEnd end) {
   finish(*job, std::move(ending));
 }
 
+void Jobs::run_is_over(Job& job) {
+  runs_.erase(*job.run);
+  job.run.reset();
+  shares_.over(job.request.client(), job.request.robot());
+  look_again_ = look_again_ || options_.limits.running_per_client != 0;
+}
+
 // Takes the run away from its request: what it still says is nobody's.
 void Jobs::abandon(Job& job) {
   if (!job.run) return;
   ports_.planners.stop(*job.run);
   const auto grace = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(options_.grace));
   abandoned_.emplace(*job.run, ports_.clock.now() + grace);
-  runs_.erase(*job.run);
-  job.run.reset();
+  run_is_over(job);
 }
 
 void Jobs::on_slots_changed(const std::string& robot) {

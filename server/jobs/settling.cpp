@@ -35,6 +35,7 @@ void Jobs::tell(Job& job, msg::State state, msg::Error error) {
 
 void Jobs::settle() {
   const bool worked = storage_works_;
+  if (look_again_) dispatch_all();
   settle_batch();
   save_unsaved();
   if (!worked && storage_works_) {  // what was held back goes on
@@ -102,7 +103,7 @@ bool Jobs::commit() {
 // Ends a request whose part of the batch could not be stored. Its end is kept in memory until the journal takes it.
 void Jobs::give_up(Job& job) {
   abandon(job);
-  if (job.last.state() == msg::QUEUED) queue_.remove(job.request.robot(), job.request.priority(), job.turn);
+  if (job.last.state() == msg::QUEUED) queue_.remove(job.place());
   set_alarm(job, std::nullopt);
   job.steps = job.committed;
   job.touched = false;

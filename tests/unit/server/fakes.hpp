@@ -122,6 +122,7 @@ struct FakePlanners final : Planners {
     robot.info.state(msg::READY);
     robot.info.plugin("plugin of " + name);
     robot.info.plugin_version("1.2.3");
+    robot.info.slots(static_cast<std::uint32_t>(slots));
     robot.idle = slots;
     return robot;
   }

@@ -57,6 +57,7 @@ plugin_dir: plugins
 robots_dir: ./robots
 worker: net.xml
 queue_limit: 50
+admission: {queued_per_client: 20, running_per_client: 3}
 budget_max: 10 min
 grace: 250 ms
 cancel_memory: 5
@@ -73,6 +74,7 @@ log_level: debug
   EXPECT_EQ(config.state_dir, folder_ / "state");
   EXPECT_EQ(config.robots_dir, folder_ / "robots");
   EXPECT_EQ(config.queue_limit, 50U);
+  EXPECT_EQ(config.admission, (AdmissionConfig{.queued_per_client = 20, .running_per_client = 3}));
   EXPECT_EQ(config.budget_max, 600.0);
   EXPECT_EQ(config.grace, 0.25);
   EXPECT_EQ(config.cancel_memory, 5.0);
@@ -104,6 +106,7 @@ TEST(ShippedConfiguration, IsGoodAndShowsEverySettingWithItsDefault) {
   EXPECT_EQ(config.dds.vendor, initial.dds.vendor);
   EXPECT_EQ(config.dds.domain, initial.dds.domain);
   EXPECT_EQ(config.queue_limit, initial.queue_limit);
+  EXPECT_EQ(config.admission, initial.admission);
   EXPECT_EQ(config.budget_max, initial.budget_max);
   EXPECT_EQ(config.grace, initial.grace);
   EXPECT_EQ(config.cancel_memory, initial.cancel_memory);
@@ -155,6 +158,11 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"QueueLimitZero", "queue_limit: 0", "2: queue_limit: must be 1 to 1e+06 (is '0')"},
         Fault{"QueueLimitWord", "queue_limit: many", "2: queue_limit: must be a whole number (is 'many')"},
         Fault{"QueueLimitEmpty", "queue_limit:", "2: queue_limit: must be a whole number (is empty)"},
+        Fault{"QueuedPerClientZero", "admission: {queued_per_client: 0}",
+              "2: admission.queued_per_client: must be 1 to 1e+06 (is '0')"},
+        Fault{"RunningPerClient", "admission: {running_per_client: -1}",
+              "2: admission.running_per_client: must be 0 to 1e+06 (is '-1')"},
+        Fault{"AdmissionUnknownKey", "admission: {running: 1}", "2: admission.running: is not known here"},
         Fault{"BudgetNan", "budget_max: .nan", "2: budget_max: must be a time, in seconds or with ms, s, min, h or d (is '.nan')"},
         Fault{"BudgetNegative", "budget_max: -5", "2: budget_max: must be 0.001 to 604800 s (is '-5')"},
         Fault{"GraceUnit", "grace: 5 lightyears", "2: grace: must be a time"},

@@ -207,7 +207,7 @@ TEST(P6, WhatThePluginReportsAfterTheBudgetsEndDoesNotChangeThat) {
 
 TEST(P7, AFullQueueRejectsWithATimeToWait) {
   World world;
-  world.options.queue_limit = 3;
+  world.options.limits.queued = 3;
   world.restart();
   for (const char* name : {"r1", "r2", "q1", "q2", "q3"}) world.submit(good_request(name));
   world.submit(good_request("one too many"));

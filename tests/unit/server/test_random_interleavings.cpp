@@ -12,7 +12,7 @@ namespace {
 class Storm {
  public:
   Storm(std::uint64_t seed, bool storage_fails) : random_(seed), storage_fails_(storage_fails) {
-    world_.options.queue_limit = 6;
+    world_.options.limits.queued = 6;
     world_.restart();
     world_.journal.turns = 0;
   }
