@@ -1,6 +1,6 @@
-// The nine free joints of a single support (paper, section II.C): the supporting leg's six and the swing leg's hip roll, hip pitch and
-// knee. The swing leg's hip yaw and both its ankle joints follow, so that the moving sole stays parallel to the ground with a given
-// heading. A tenth coordinate carries the heading when the robot turns; it is constant else. Radians. Values; any thread.
+// The nine free joints of a single support (paper, section II.C): the supporting leg's six and the swing leg's hip roll, hip pitch
+// and knee. The swing leg's hip yaw and both its ankle joints follow, so that the moving sole stays parallel to the ground with a
+// given heading. A tenth coordinate carries the heading when the robot turns; it is constant else. Radians. Values; any thread.
 #pragma once
 
 #include "bioloid/model/kinematics.hpp"

@@ -1,0 +1,194 @@
+// What a posture or a motion has to keep against the ground: balance, soles, obstacles; all seen from the support sole's frame.
+#include <algorithm>
+#include <cmath>
+
+#include "bioloid/posture/inside.hpp"
+#include "bioloid/posture/planes.hpp"
+
+namespace foothold::bioloid {
+namespace {
+
+double square(double v) { return v * v; }
+
+}  // namespace
+
+Isometry3d Judge::Inside::body_frame(const Snapshot& at, std::size_t body) const {
+  if (body > kArmJoints + 2)
+    return frame_of(legs, at.stand, static_cast<Side>((body - 1) % 2), (body - body_of(Side::kRight, 0)) / 2);
+  const auto place_of = [&](std::size_t b) -> Isometry3d {
+    const JointModel& joint = model.joints[b - 1];
+    return kinematics::displacement({joint.axis, joint.origin}, at.joints[static_cast<int>(b - 1)]) *
+           Eigen::Translation3d(joint.origin);
+  };
+  Isometry3d frame = Isometry3d::Identity();
+  for (int b = static_cast<int>(body); b > 0; b = model.joints[static_cast<std::size_t>(b - 1)].parent + 1)
+    frame = place_of(static_cast<std::size_t>(b)) * frame;
+  return frame;
+}
+
+Isometry3d Judge::Inside::swing_sole(const Snapshot& at) const {
+  const Side swing = other(ground.support.foot);
+  Isometry3d out = Isometry3d::Identity();
+  Eigen::Matrix3d turn;
+  turn << at.stand.foot_x.at(swing), at.stand.foot_y.at(swing), at.stand.foot_z.at(swing);
+  out.linear() = at.sole_turn.transpose() * turn;
+  out.translation() = at.sole_turn.transpose() * (at.stand.sole.at(swing) - at.sole);
+  return out;
+}
+
+Bends Judge::Inside::bends_of(const Snapshot& a, const Rates& r) const {
+  const Side s = ground.support.foot, w = other(s);
+  const auto of_support = [&](Lanes v) { return of(v, s); };
+  const auto of_swing = [&](Lanes v) { return of(v, w); };
+  // The chain from the support sole: ankle roll, the pitches back to the hip block, hip roll, yaw; the swing leg's the other way.
+  const double e = of_support(r.ankle), whole = of_support(r.pitch[2]);
+  const double shin = e + std::abs(whole - of_support(r.pitch[1])), thigh = e + std::abs(whole - of_support(r.pitch[0]));
+  const double hip = e + std::abs(whole), bracket = hip + of_support(r.roll), torso = bracket + std::abs(of_support(r.yaw));
+  const double swing_bracket = bracket + std::abs(of_swing(r.yaw) - of_support(r.yaw)),
+               swing_hip = swing_bracket + of_swing(r.roll);
+  std::array<double, 3> swing;
+  for (std::size_t k = 0; k < 3; ++k) swing[k] = swing_hip + std::abs(of_swing(r.pitch[k]));
+  const double foot = swing[2] + of_swing(r.ankle);
+
+  const auto set = [](Lanes& v, Side side, double value) { v[index_of(side)] = value; };
+  Bends out{};
+  const auto& box = legs.boxes;
+  const double to_knee = legs.shin_length * square(shin), to_hip = to_knee + legs.thigh_length * square(thigh);
+  set(out.from_sole[kFoot], s, 0.0);
+  set(out.from_sole[kAnkleBlock], s, of_support(box[kAnkleBlock].reach) * square(e));
+  set(out.from_sole[kShin], s, of_support(box[kShin].reach_back) * square(shin));
+  set(out.from_sole[kThigh], s, to_knee + of_support(box[kThigh].reach_back) * square(thigh));
+  set(out.from_sole[kHipBlock], s, to_hip + of_support(box[kHipBlock].reach) * square(hip));
+  out.upper = to_hip + (model.hip(s).norm() + a.upper->reach + (r.arms > 0.0 ? 2.0 * arm : 0.0)) * square(torso + r.arms);
+  const double from_hip = to_hip + legs.hips_apart * square(torso);
+  const double from_knee = from_hip + legs.thigh_length * square(swing[0]),
+               from_ankle = from_knee + legs.shin_length * square(swing[1]);
+  set(out.from_sole[kHipBlock], w, from_hip + of_swing(box[kHipBlock].reach) * square(swing_hip));
+  set(out.from_sole[kThigh], w, from_hip + of_swing(box[kThigh].reach) * square(swing[0]));
+  set(out.from_sole[kShin], w, from_knee + of_swing(box[kShin].reach) * square(swing[1]));
+  set(out.from_sole[kAnkleBlock], w, from_ankle + of_swing(box[kAnkleBlock].reach) * square(swing[2]));
+  set(out.from_sole[kFoot], w, from_ankle + of_swing(box[kFoot].reach) * square(foot));
+  out.sole = from_ankle + legs.sole_reach * square(foot);
+  out.turn = square(foot);
+
+  const Weights& m = weights[index_of(s)];
+  out.balance = m.ankle * square(e) + m.shin * square(shin) + m.thigh * square(thigh) + m.hip * square(hip) +
+                m.bracket * square(bracket) + (m.torso + a.upper->moment / mass).norm() * square(torso) +
+                m.swing_bracket * square(swing_bracket) + m.swing_hip * square(swing_hip) + m.swing_thigh * square(swing[0]) +
+                m.swing_shin * square(swing[1]) + m.swing_ankle * square(swing[2]) + m.swing_foot * square(foot);
+  if (r.arms > 0.0) out.balance += arms_mass / mass * arm * (square(torso) + square(torso + r.arms));
+  return out;
+}
+
+bool Judge::Inside::balanced(const Snapshot& a, const Snapshot& b, const Bends* bends) const {
+  const double needed = demands.balance + (bends ? 0.125 * bends->balance : 0.0);
+  for (const Ground::Edge& edge : ground.edges) {
+    const double at_a = edge.inward.dot(a.com.head<2>()) - edge.offset, at_b = edge.inward.dot(b.com.head<2>()) - edge.offset;
+    if (!(std::min(at_a, at_b) >= needed)) return false;
+  }
+  return ground.edges.size() >= 3;
+}
+
+bool Judge::Inside::keeps_place(const Snapshot& a, const Snapshot& b, const Bends* bends) const {
+  if (!ground.support.both) return true;
+  const double stray = bends ? 0.125 * bends->sole : 0.0, turn = bends ? 0.125 * bends->turn : 0.0;
+  const Isometry3d& place = ground.support.second;
+  for (const Snapshot* at : {&a, &b}) {
+    const Isometry3d sole = swing_sole(*at);
+    if (!((sole.translation() - place.translation()).norm() + stray <= demands.slip)) return false;
+    // A turn by t is 2 sin(t/2) away from none, as matrices by their greatest stretch; their difference's Frobenius norm is sqrt(2)
+    // times that. Chords of matrices stay within the ends' distances.
+    const double off = (sole.linear() - place.linear()).norm() / std::sqrt(2.0);
+    if (!(2.0 * std::asin(std::min(1.0, 0.5 * (off + turn))) <= demands.slip)) return false;
+    if (&a == &b) break;
+  }
+  return true;
+}
+
+bool Judge::Inside::above_ground(const Snapshot& a, const Snapshot& b, const Bends* bends, unsigned touching) const {
+  const bool moving = bends != nullptr;
+  const Side support = ground.support.foot, swing = other(support);
+  // Heights over the sole of everything but the feet.
+  const auto lowest = [&](const Snapshot& at) {
+    const Vector3d up = at.sole_turn.col(2);
+    const Spans s = spans(legs, at.stand, in_both(up));
+    Lanes least = s.centre[0] - s.extent[0] - (moving ? 0.125 * bends->from_sole[0] : all(0.0));
+    for (std::size_t k = 1; k < kFoot; ++k)
+      least = smaller(least, s.centre[k] - s.extent[k] - (moving ? 0.125 * bends->from_sole[k] : all(0.0)));
+    double out = std::min(least[0], least[1]);
+    double above = -at.upper->reach;
+    const double stray = moving ? 0.125 * bends->upper : 0.0, sole = up.dot(at.sole);
+    // The sphere round the pelvis first; box by box only near the ground.
+    if (above - stray < sole)
+      for (const Upper::Part& part : at.upper->parts) out = std::min(out, least_along(part.box, up) - stray);
+    return out - sole;
+  };
+  if (!(lowest(a) >= 0.0) || (moving && !(lowest(b) >= 0.0))) return false;
+  if (ground.support.both) return true;
+  // The swing sole's corners.
+  const auto corners = [&](const Snapshot& at) {
+    const Vector3d up = at.sole_turn.col(2);
+    const double x = 0.5 * model.sole_length * up.dot(at.stand.foot_x.at(swing)),
+                 y = 0.5 * model.sole_width * up.dot(at.stand.foot_y.at(swing));
+    const double centre = up.dot(at.stand.sole.at(swing) - at.sole);
+    return std::array<double, 4>{centre + x + y, centre + x - y, centre - x + y, centre - x - y};
+  };
+  const auto from = corners(a), to = moving ? corners(b) : from;
+  if (!moving) return *std::min_element(from.begin(), from.end()) >= -demands.ground;
+  const double floor = touching ? -demands.ground : 0.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (!(std::min(from[k], to[k]) >= floor)) return false;
+    if (((touching & kTouchesAtA) && from[k] > demands.ground) || ((touching & kTouchesAtB) && to[k] > demands.ground))
+      return false;
+    // (1 - t) from + t to - t (1 - t) / 2 bend >= floor: true where the parabola's least lies at an end or above the floor.
+    const double bend = bends->sole, slope = to[k] - from[k];
+    if (std::abs(slope) >= 0.5 * bend) continue;
+    const double t = 0.5 - slope / bend;
+    if (!(from[k] + t * slope - 0.5 * t * (1.0 - t) * bend >= floor)) return false;
+  }
+  return true;
+}
+
+bool Judge::Inside::clear_of_obstacles(const Snapshot& a, const Snapshot& b, const Bends* bends) const {
+  if (ground.obstacles.empty()) return true;
+  const auto seen = [&](const Snapshot& at) {
+    Isometry3d out = Isometry3d::Identity();
+    out.linear() = at.sole_turn.transpose();
+    out.translation() = -(out.linear() * at.sole);
+    return out;
+  };
+  const Isometry3d torso_a = seen(a), torso_b = bends ? seen(b) : torso_a;
+  const auto stands_clear = [&](const collision::Box& box_a, const collision::Box& box_b, double bend) {
+    const double needed = demands.clearance + 0.125 * bend;
+    const Vector3d up = Vector3d::UnitZ();
+    if (std::min(least_along(box_a, up), bends ? least_along(box_b, up) : 1e9) >= ground.highest + needed) return true;
+    const Eigen::Vector2d middle = 0.5 * (box_a.pose.translation() + box_b.pose.translation()).head<2>();
+    for (const Ground::Obstacle& obstacle : ground.obstacles) {
+      // Round box and round prism.
+      const Eigen::Vector2d apart = middle - obstacle.circle.centre;
+      const double distance = apart.norm(), sway = 0.5 * (box_a.pose.translation() - box_b.pose.translation()).norm();
+      if (distance - sway - obstacle.circle.radius - box_a.half.norm() >= needed) continue;
+      if (bends ? !clear(obstacle, box_a, box_b, needed) : !clear(obstacle, box_a, demands.clearance)) return false;
+    }
+    return true;
+  };
+  for (const Side side : {Side::kRight, Side::kLeft})
+    for (std::size_t k = 0; k < kLinks; ++k) {
+      const std::size_t body = body_of(side, k);
+      const Isometry3d at_a = torso_a * frame_of(legs, a.stand, side, k),
+                       at_b = bends ? torso_b * frame_of(legs, b.stand, side, k) : at_a;
+      for (const BodyBox& box : model.bodies[body].boxes) {
+        const Eigen::Translation3d centre(box.centre);
+        if (!stands_clear({at_a * centre, box.half}, {at_b * centre, box.half}, bends ? of(bends->from_sole[k], side) : 0.0))
+          return false;
+      }
+    }
+  for (std::size_t i = 0; i < a.upper->parts.size(); ++i) {
+    const collision::Box &box_a = a.upper->parts[i].box, &box_b = b.upper->parts[i].box;
+    if (!stands_clear({torso_a * box_a.pose, box_a.half}, {torso_b * box_b.pose, box_b.half}, bends ? bends->upper : 0.0))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace foothold::bioloid
