@@ -1,28 +1,10 @@
-// Poses by hand, and the postures between them.
+// The postures between poses by hand, and a walk of them.
 #include "hand_made.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace foothold::bioloid::testing {
-
-Pose shifted(const Model& model, Pose pose, const Vector3d& over) {
-  // The legs move with the torso: a few corrections until they do not matter any more.
-  for (int k = 0; k < 20; ++k) {
-    Vector3d left = over - pose.torso - centre_of_mass(model, joints_of(model, pose));
-    left.z() = 0.0;
-    pose.torso += left;
-  }
-  return pose;
-}
-
-Pose standing(const Model& model, double height, double x) {
-  Pose out;
-  for (const Side side : {Side::kRight, Side::kLeft}) out.soles[index_of(side)] = {x, model.hip(side).y(), 0.0};
-  const double hip = model.hip(Side::kRight).z(), sole = model.sole(Side::kRight).z();
-  out.torso = {x, 0.0, height - hip - sole};
-  return shifted(model, out, {x, 0.0, 0.0});
-}
 
 physics::JointPath motion_through(const Model& model, const std::vector<Pose>& poses) {
   physics::JointPath out{joints_of(model, poses.front())};

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "hand_made.hpp"
-#include "robot.hpp"
 #include "walker.hpp"
 
 namespace foothold::bioloid::testing {
@@ -10,16 +9,7 @@ namespace {
 
 constexpr double kNear = 0.003, kUpright = 3.0 * kDegree;  // m; servos give way by a degree
 
-// Arms far enough out to pass the hips on every shift.
-const Model& robot() {
-  static const Model model = [] {
-    Model out = shipped_model();
-    out.carrying[2] = 50.0 * kDegree;
-    out.carrying[3] = -50.0 * kDegree;
-    return out;
-  }();
-  return model;
-}
+const Model& robot() { return shipped_model(); }
 
 physics::Walked played(const std::vector<Pose>& poses, const physics::WalkOptions& options = {}) {
   return physics::walk(walker_of(robot()), feet_of(), Pose::at(poses.front().torso), motion_through(robot(), poses), options);
