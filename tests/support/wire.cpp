@@ -147,6 +147,11 @@ std::vector<Arrival<msg::Step>> Wire::steps(const msg::Id& request) const {
   return of_request(steps_, request);
 }
 
+bool Wire::heard_of_server(const std::string& name) const {
+  const std::lock_guard lock(mutex_);
+  return std::ranges::any_of(servers_, [&](const auto& server) { return server.message.name() == name; });
+}
+
 std::size_t Wire::total_steps() const {
   const std::lock_guard lock(mutex_);
   return steps_.size();

@@ -55,6 +55,8 @@ class Wire {
   std::vector<Arrival<msg::Step>> steps(const msg::Id& request) const;
   std::optional<msg::RobotInfo> robot(const std::string& name) const;
   std::optional<msg::ServerInfo> server() const;
+  // Whether a server of this name was ever announced.
+  bool heard_of_server(const std::string& name) const;
   std::size_t total_steps() const;
 
   // Waits until `holds`, which is looked at after each arrival; false after `seconds`.
