@@ -17,7 +17,8 @@ install(DIRECTORY config/dds config/requests DESTINATION ${share_dir})
 # The requests name their scenes as ../scenes/*.
 install(DIRECTORY config/scenes DESTINATION ${share_dir} FILES_MATCHING PATTERN "*.yaml")
 install(FILES config/systemd/footholdd.service config/systemd/foothold.slice DESTINATION ${FOOTHOLD_UNIT_DIR})
-install(FILES config/systemd/robot-network.conf DESTINATION ${doc_dir}/foothold/examples)
+install(FILES config/systemd/robot-network.conf config/systemd/dds-security.conf DESTINATION ${doc_dir}/foothold/examples)
+install(FILES config/OPERATING.md DESTINATION ${doc_dir}/foothold)
 install(FILES server/footholdd.8 DESTINATION ${CMAKE_INSTALL_MANDIR}/man8)
 install(FILES idl/foothold.idl idl/PROTOCOL.md DESTINATION ${share_dir}/idl)
 
