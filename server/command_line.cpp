@@ -15,6 +15,8 @@ Exit codes:
   4  the bus cannot be opened
 
 Signals: SIGTERM and SIGINT end every request as CANCELLED / SERVER_STOPPING, tell the clients, and exit.
+SIGHUP reads the configuration again: a faulty one is told and not taken; robots whose numbers or planner changed get newer workers,
+and plans that run end on the older ones; dds and state_dir take a restart.
 The log goes to stderr.)";
 
 }  // namespace

@@ -20,16 +20,17 @@ constexpr auto kComplaints = std::chrono::seconds(10);
 
 }  // namespace
 
-Daemon::Daemon(boost::asio::io_context& loop, ServerConfig config, std::vector<RobotConfig> robots)
+Daemon::Daemon(boost::asio::io_context& loop, Settings settings, std::function<Settings()> read_again)
     : loop_(loop),
-      config_(std::move(config)),
-      robots_(std::move(robots)),
+      config_(std::move(settings.server)),
       started_(clock_.now()),
       state_(config_.state_dir),
       journal_(state_.journal()),
       scenes_({.server = journal_.server_id(), .folder = state_.scenes(), .max_bytes = config_.scenes.max_bytes}, clock_),
-      workers_(loop, {.program = config_.worker, .limits = config_.workers}, robots_),
+      workers_(loop, {.program = config_.worker, .limits = config_.workers}, std::move(settings.robots)),
+      read_again_(std::move(read_again)),
       signals_(loop, SIGTERM, SIGINT),
+      hangups_(loop, SIGHUP),
       timer_(loop),
       beat_timer_(loop),
       retry_timer_(loop),
@@ -39,6 +40,7 @@ Daemon::Daemon(boost::asio::io_context& loop, ServerConfig config, std::vector<R
   signals_.async_wait([this](const boost::system::error_code& error, int signal) {
     if (!error) stop(signal);
   });
+  watch_hangups();
   figures_.set_robots(workers_.robots());
   open_metrics();
   workers_.open(*this, [this] { open_bus(); });
@@ -75,16 +77,7 @@ void Daemon::open_bus() {
                       Partitions::Hooks{.busy = [this](const Id& client) { return jobs_->busy_for(client); },
                                         .waiting = [this] { retry_soon(); },
                                         .complain = complain});
-  jobs_.emplace(JobsOptions{.server = journal_.server_id(),
-                            .version = FOOTHOLD_VERSION,
-                            .limits = {.queued = config_.queue_limit,
-                                       .queued_per_client = config_.admission.queued_per_client,
-                                       .running_per_client = config_.admission.running_per_client},
-                            .budget_max = config_.budget_max,
-                            .grace = config_.grace,
-                            .cancel_memory = config_.cancel_memory,
-                            .retention = config_.retention},
-                Jobs::Ports{journal_, workers_, scenes_, *partitions_, clock_, {&figures_}},
+  jobs_.emplace(jobs_options(), Jobs::Ports{journal_, workers_, scenes_, *partitions_, clock_, {&figures_}},
                 [](const std::string& sentence) { spdlog::error("{}", sentence); });
   scenes_.open({.tell = [this](msg::SceneStatus status) { announcer_->scene(std::move(status)); },
                 .background =
@@ -100,10 +93,26 @@ void Daemon::open_bus() {
   inbox_.emplace(
       loop_, *bus_, [this](ClientMessage message) { take(std::move(message)); }, [this] { batch_soon(); });
   beat();
-  const std::string status = std::to_string(workers_.robots().size()) + " robots, " + std::string(bus_->vendor()) + " domain " +
-                             std::to_string(config_.dds.domain);
-  spdlog::info("server {} ({}) serves: {}", config_.name, msg::to_hex(journal_.server_id()), status);
-  service::ready(status);
+  spdlog::info("server {} ({}) serves: {}", config_.name, msg::to_hex(journal_.server_id()), status());
+  service::ready(status());
+  if (reload_again_) reload();
+}
+
+JobsOptions Daemon::jobs_options() const {
+  return {.server = journal_.server_id(),
+          .version = FOOTHOLD_VERSION,
+          .limits = {.queued = config_.queue_limit,
+                     .queued_per_client = config_.admission.queued_per_client,
+                     .running_per_client = config_.admission.running_per_client},
+          .budget_max = config_.budget_max,
+          .grace = config_.grace,
+          .cancel_memory = config_.cancel_memory,
+          .retention = config_.retention};
+}
+
+std::string Daemon::status() const {
+  return std::to_string(workers_.robots().size()) + " robots, " + std::string(bus_->vendor()) + " domain " +
+         std::to_string(config_.dds.domain);
 }
 
 void Daemon::take(ClientMessage message) {

@@ -3,6 +3,8 @@
 //   opening  ->  planners load  ->  serving  ->  SIGTERM  ->  requests end  ->  clients acknowledge  ->  workers leave  ->  loop
 //   ends
 //
+// Sources: daemon.cpp (serving), reloading.cpp, watching.cpp, stopping.cpp.
+//
 // Thread rule: the loop's one thread, for everything; the vendor's threads only post to it (net/inbox.hpp).
 #pragma once
 
@@ -12,6 +14,7 @@
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/thread_pool.hpp>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -33,8 +36,9 @@ namespace foothold::server {
 
 class Daemon final : private RunEvents {
  public:
-  // Opens the state folder and the journal and starts the planners. Throws StateError, JournalError.
-  Daemon(boost::asio::io_context& loop, ServerConfig config, std::vector<RobotConfig> robots);
+  // Opens the state folder and the journal and starts the planners. `read_again`: the settings as they are on disk now, for SIGHUP;
+  // called from another thread, throws ConfigError. Throws StateError, JournalError.
+  Daemon(boost::asio::io_context& loop, Settings settings, std::function<Settings()> read_again);
   ~Daemon() override;
 
   // Runs the loop until a signal has ended the server. Throws BusError if the bus cannot be opened, and what a fault of the server
@@ -58,7 +62,16 @@ class Daemon final : private RunEvents {
   void arm_timer();
   void beat();
   void announce_robots();
+  JobsOptions jobs_options() const;
+  std::string status() const;
   void retry_soon();
+
+  // reloading
+  void watch_hangups();
+  void reload();
+  void take_settings(Settings settings);
+  void refuse_settings(const std::vector<std::string>& faults);
+  void end_reload();
 
   // watching
   void open_metrics();
@@ -77,7 +90,6 @@ class Daemon final : private RunEvents {
 
   boost::asio::io_context& loop_;
   ServerConfig config_;
-  std::vector<RobotConfig> robots_;
   SystemClock clock_;
   Time started_;
   StateFolder state_;
@@ -96,7 +108,8 @@ class Daemon final : private RunEvents {
   std::optional<Jobs> jobs_;
   std::optional<Inbox> inbox_;
 
-  boost::asio::signal_set signals_;
+  std::function<Settings()> read_again_;
+  boost::asio::signal_set signals_, hangups_;
   boost::asio::steady_timer timer_, beat_timer_, retry_timer_, stop_timer_;
   std::optional<Time> armed_;
   bool batch_posted_ = false;
@@ -104,6 +117,8 @@ class Daemon final : private RunEvents {
   bool retrying_ = false;
   bool leaving_ = false;
   bool stopping_ = false;
+  bool reloading_ = false, reload_again_ = false;
+  std::uint64_t reloads_ = 0, reloads_refused_ = 0;
   Time complained_{};
   boost::asio::thread_pool disk_{1};  // for what waits for the disk: whole scene files
 };

@@ -59,17 +59,24 @@ void open_log(const std::string& level) {
   spdlog::set_default_logger(log);
 }
 
+Settings settings_of(const CommandLine& line) {
+  Settings settings{configured(line), {}};
+  settings.robots = read_robots(settings.server);
+  return settings;
+}
+
 int serve(const CommandLine& line) {
-  const ServerConfig config = configured(line);
-  std::vector<RobotConfig> robots = read_robots(config);
+  // A reload that is asked for before the server can do it must not end it.
+  std::signal(SIGHUP, SIG_IGN);
+  Settings settings = settings_of(line);
   if (line.check) {
-    std::printf("%s and %zu robots: no fault\n", line.config.c_str(), robots.size());
+    std::printf("%s and %zu robots: no fault\n", line.config.c_str(), settings.robots.size());
     return kStopped;
   }
-  open_log(config.log_level);
+  open_log(settings.server.log_level);
   std::signal(SIGPIPE, SIG_IGN);
   boost::asio::io_context loop(1);
-  Daemon daemon(loop, config, std::move(robots));
+  Daemon daemon(loop, std::move(settings), [line] { return settings_of(line); });
   daemon.run();
   return kStopped;
 }

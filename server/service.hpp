@@ -1,4 +1,4 @@
-// What systemd is told, if it asked (NOTIFY_SOCKET): ready, stopping, still alive.
+// What systemd is told, if it asked (NOTIFY_SOCKET): ready, reloading, stopping, still alive.
 #pragma once
 
 #include <string>
@@ -6,6 +6,7 @@
 namespace foothold::server::service {
 
 void ready(const std::string& status);
+void reloading();  // until ready() is said again
 void stopping();
 void alive();  // from the loop that does the work: with every heartbeat
 

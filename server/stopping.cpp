@@ -39,6 +39,7 @@ void Daemon::leave() {
   retry_timer_.cancel();
   stop_timer_.cancel();
   signals_.cancel();
+  hangups_.cancel();
   http_.reset();
   workers_.close([this] {
     inbox_.reset();

@@ -58,6 +58,8 @@ ServerState Daemon::look() const {
   state.stopping = stopping_;
   state.journal_trouble = journal_.trouble();
   state.queue_limit = config_.queue_limit;
+  state.reloads = reloads_;
+  state.reloads_refused = reloads_refused_;
   state.uptime = std::chrono::duration<double>(clock_.now() - started_).count();
   for (const std::string& name : workers_.robots()) {
     const RobotStatus status = workers_.status(name);

@@ -17,6 +17,8 @@ struct DdsConfig {
   std::uint32_t domain = 0;        // 0 to 200
   std::string network_config;      // a vendor's XML file; empty: loopback only
   std::string security;            // a folder of credentials; empty: DDS Security is off
+
+  bool operator==(const DdsConfig&) const = default;
 };
 
 // `workers:` How workers that died are started again, and when a robot is taken out.
@@ -81,6 +83,12 @@ struct RobotConfig {
   std::uint64_t memory_limit = 0;  // bytes of address space of one worker; 0: none
   bool enabled = true;
   RobotModel model;  // `model:`, in SI
+};
+
+// All that the server is started with, or reloads.
+struct Settings {
+  ServerConfig server;
+  std::vector<RobotConfig> robots;
 };
 
 }  // namespace foothold::server

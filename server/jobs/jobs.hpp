@@ -66,6 +66,9 @@ class Jobs final : public RunEvents {
 
   Jobs(JobsOptions options, Ports ports, Complain complain = {});
 
+  // Other limits from now on; what was taken keeps its budget. `server` and `version` stay.
+  void set_options(JobsOptions options);
+
   // Ends or restarts what the journal holds as unfinished (P22). Once, before any other input; needs the robots' planners. Throws
   // JournalError.
   void recover();

@@ -23,6 +23,13 @@ Jobs::Jobs(JobsOptions options, Ports ports, Complain complain)
       speaker_{options_.server, options_.version},
       forget_again_(ports.clock.now() + kForgetAgain) {}
 
+void Jobs::set_options(JobsOptions options) {
+  options.server = options_.server;
+  options.version = options_.version;
+  options_ = std::move(options);
+  set_limits(options_.limits);
+}
+
 void Jobs::push(const Id& request, msg::PlanEvent event) {
   urgent_ = true;
   outgoing_.emplace_back(Told{request, std::make_unique<msg::PlanEvent>(std::move(event))});

@@ -8,8 +8,8 @@
 #include "foothold/msg/errors.hpp"
 #include "jobs/admission/admission.hpp"
 #include "jobs/admission/limits.hpp"
-#include "text/text.hpp"
 #include "scenes/keeping.hpp"
+#include "text/text.hpp"
 
 namespace foothold::server {
 namespace fs = std::filesystem;
@@ -24,6 +24,34 @@ std::string prepared(const std::string& folder) {
   fs::remove_all(folder + "/incoming");
   fs::create_directories(folder + "/incoming");
   return folder;
+}
+
+std::vector<std::string> scene_files(const std::string& folder, std::vector<std::string>& complaints) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string ending = entry->path().extension().string();
+    const bool scene = ending == ".yaml" || ending == ".stl" || ending == ".obj" || ending == ".ply";
+    if (scene && entry->is_regular_file()) files.push_back(entry->path().string());
+  }
+  if (error) complaints.push_back(folder + ": cannot be read: " + error.message());
+  std::ranges::sort(files);
+  return files;
+}
+
+// What a preloaded file is called. Reads all of it. Throws std::exception.
+SceneLabel label_of(const std::string& file, std::uint64_t most) {
+  const fs::path path(file);
+  SceneLabel label{msg::kNoId, path.stem().string(), path.extension().string().substr(1), {}, fs::file_size(path)};
+  if (label.size == 0 || label.size > most) throw std::runtime_error("must have 1 to " + std::to_string(most) + " octets");
+  label.revision = file_sha256(file);
+  return label;
+}
+
+void keep_copy(const std::string& file, const std::string& folder, const SceneLabel& label, const std::string& place) {
+  const std::string copy = folder + "/incoming/" + label.revision;
+  fs::copy_file(file, copy, fs::copy_options::overwrite_existing);
+  if (const auto failure = keep_scene(copy, label.revision, label.format, place)) throw std::runtime_error(failure->message());
 }
 
 }  // namespace
@@ -165,29 +193,23 @@ std::optional<Time> Scenes::next_deadline() const {
 }
 
 std::vector<std::string> Scenes::preload(const std::string& folder) {
-  std::vector<std::string> files, complaints;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-    if (entry->is_regular_file()) files.push_back(entry->path().string());
-  if (error) complaints.push_back(folder + ": cannot be read: " + error.message());
-  std::ranges::sort(files);
-  for (const auto& file : files)
+  std::vector<std::string> complaints;
+  for (const auto& file : scene_files(folder, complaints))
     if (auto complaint = preload_file(file); !complaint.empty()) complaints.push_back(file + ": " + complaint);
   return complaints;
 }
 
+bool Scenes::is_newest(const SceneLabel& label) const {
+  const StoredScene* newest = index_.find(label.name, "");
+  return newest != nullptr && newest->revision == label.revision;
+}
+
 std::string Scenes::preload_file(const std::string& file) {
-  const std::string extension = fs::path(file).extension().string();
-  if (extension != ".yaml" && extension != ".stl" && extension != ".obj" && extension != ".ply") return {};
   try {
-    const SceneLabel label{msg::kNoId, fs::path(file).stem().string(), extension.substr(1), file_sha256(file), fs::file_size(file)};
-    if (label.size == 0 || label.size > options_.max_bytes)
-      return "must have 1 to " + std::to_string(options_.max_bytes) + " octets";
-    if (const StoredScene* newest = index_.find(label.name, ""); newest != nullptr && newest->revision == label.revision) return {};
-    const std::string copy = options_.folder + "/incoming/" + label.revision;
-    fs::copy_file(file, copy, fs::copy_options::overwrite_existing);
+    const SceneLabel label = label_of(file, options_.max_bytes);
+    if (is_newest(label)) return {};
     const std::string place = index_.path_of(label.revision, label.format);
-    if (const auto failure = keep_scene(copy, label.revision, label.format, place)) return failure->message();
+    keep_copy(file, options_.folder, label, place);
     index_.add({.name = label.name,
                 .revision = label.revision,
                 .format = label.format,
@@ -198,6 +220,46 @@ std::string Scenes::preload_file(const std::string& file) {
   } catch (const std::exception& error) {
     return error.what();
   }
+}
+
+void Scenes::preload_again(const std::string& folder, std::function<void(const std::string&)> complain) {
+  struct Found {
+    std::vector<std::string> complaints;
+    std::vector<std::pair<std::string, SceneLabel>> files;
+  };
+  const auto found = std::make_shared<Found>();
+  const auto look = [folder, found, most = options_.max_bytes] {
+    for (const auto& file : scene_files(folder, found->complaints)) {
+      try {
+        found->files.emplace_back(file, label_of(file, most));
+      } catch (const std::exception& error) {
+        found->complaints.push_back(file + ": " + error.what());
+      }
+    }
+  };
+  hooks_.background(look, [this, found, complain, alive = std::weak_ptr(alive_)] {
+    if (alive.expired()) return;
+    for (const auto& complaint : found->complaints) complain(complaint);
+    for (const auto& [file, label] : found->files) {
+      if (is_newest(label)) continue;
+      const auto failure = std::make_shared<std::string>();
+      const auto keep = [=, name = file, said = label, state = options_.folder,
+                         place = index_.path_of(label.revision, label.format)] {
+        try {
+          keep_copy(name, state, said, place);
+        } catch (const std::exception& error) {
+          *failure = name + ": " + error.what();
+        }
+      };
+      hooks_.background(keep, [this, failure, complain, said = label, alive] {
+        if (alive.expired()) return;
+        if (failure->empty())
+          stored(said);
+        else
+          complain(*failure);
+      });
+    }
+  });
 }
 
 }  // namespace foothold::server

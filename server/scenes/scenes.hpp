@@ -46,6 +46,10 @@ class Scenes final : public SceneShelf {
   // they are. Gives a sentence for each that cannot be. Waits for the disk.
   std::vector<std::string> preload(const std::string& folder);
 
+  // The same while serving: looks at the files in the background, stores the new ones and tells of them. `complain`: on the loop.
+  void preload_again(const std::string& folder, std::function<void(const std::string&)> complain);
+  void set_max_bytes(std::uint64_t bytes) { options_.max_bytes = bytes; }
+
   void take(const msg::SceneChunk& chunk);
   // Gives up uploads whose chunks stopped coming.
   void tick();
@@ -61,6 +65,7 @@ class Scenes final : public SceneShelf {
   void close_upload(const Id& upload);
   msg::SceneStatus status_of(const StoredScene& scene, const Id& upload) const;
   std::string preload_file(const std::string& file);
+  bool is_newest(const SceneLabel& label) const;
 
   ScenesOptions options_;
   const Clock& clock_;

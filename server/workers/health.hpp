@@ -20,6 +20,7 @@ class Health {
   bool crashed(Time now);
   // A worker finished a plan: no more back-off; a trial is passed. Crashes within the window still count.
   void proved();
+  void set_limits(const WorkersConfig& config) { config_ = config; }
   // A new plugin was asked for: everything is forgiven.
   void forgive();
 

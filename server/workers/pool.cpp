@@ -34,7 +34,10 @@ Pool::~Pool() {
   for (Member& member : members_) member.worker->abandon();
 }
 
-void Pool::open() { fill(); }
+void Pool::open() {
+  loaded_ = file_stamps();
+  fill();
+}
 
 frame::Load Pool::load_frame() const {
   frame::Load load;
@@ -52,7 +55,7 @@ frame::Load Pool::load_frame() const {
 }
 
 std::size_t Pool::wanted() const {
-  if (closed_ || refused_ || health_.quarantined(now())) return 0;
+  if (closed_ || withdrawn_ || refused_ || health_.quarantined(now())) return 0;
   return health_.on_trial(now()) ? 1 : robot_.slots;
 }
 
@@ -62,15 +65,10 @@ std::size_t Pool::present() const {
   }));
 }
 
-bool Pool::older_serve() const {
-  return std::ranges::any_of(
-      members_, [this](const Member& member) { return member.generation != generation_ && member.ready && !member.retiring; });
-}
-
 void Pool::fill() {
   timer_.cancel();
   const Duration wait = health_.wait(now());
-  if (wait > Duration::zero() && !closed_ && !refused_) {
+  if (wait > Duration::zero() && !closed_ && !withdrawn_ && !refused_) {
     timer_.expires_after(wait);
     timer_.async_wait([this, alive = std::weak_ptr(alive_)](const auto& error) {
       if (!error && !alive.expired()) fill();
@@ -112,6 +110,7 @@ Worker* Pool::idle() const {
 }
 
 RobotStatus Pool::status() const {
+  if (withdrawn_) return {described(msg::UNAVAILABLE, "the configuration does not hold it any more")};
   const bool any_ready = std::ranges::any_of(members_, &Member::ready);
   if (health_.quarantined(now()) || (health_.on_trial(now()) && !any_ready))
     // On trial the wait is over but its outcome is not known yet.
@@ -128,23 +127,11 @@ std::shared_ptr<const msg::RobotInfo> Pool::described(msg::RobotState state, con
   if (info_) info = *info_;
   info.name(robot_.name);
   if (!robot_.description.empty()) info.description(robot_.description);
-  info.slots(static_cast<std::uint32_t>(robot_.slots));
+  info.slots(withdrawn_ ? 0 : static_cast<std::uint32_t>(robot_.slots));
   info.state(state);
   info.reason(reason);
   described_ = std::make_shared<const msg::RobotInfo>(std::move(info));
   return described_;
-}
-
-void Pool::reload() {
-  spdlog::info("robot {}: loading {} anew", robot_.name, robot_.plugin);
-  // Newer ones that are not ready yet would load a file that is out of date.
-  for (Member& member : members_)
-    if (!member.ready && !member.retiring) retire(member);
-  ++generation_;
-  refused_.reset();
-  health_.forgive();
-  fill();
-  changed();
 }
 
 void Pool::close() {
@@ -186,16 +173,6 @@ void Pool::retire(Member& member) {
   if (member.worker->phase() != Worker::Phase::kLeaving) member.worker->retire();
 }
 
-// So many older workers make room as newer ones are ready.
-void Pool::retire_older(std::size_t most) {
-  for (Member& member : members_) {
-    if (most == 0) return;
-    if (member.generation == generation_ || member.retiring) continue;
-    retire(member);
-    --most;
-  }
-}
-
 void Pool::on_ready(Worker& worker, msg::RobotInfo info) {
   Member& member = member_of(worker);
   member.ready = true;
@@ -219,19 +196,6 @@ void Pool::on_refused(Worker&, msg::Error reason) {
   changed();
 }
 
-// The plugin on disk is no good: those of before, which are, stay.
-void Pool::give_up_reload(const msg::Error& reason) {
-  spdlog::error("robot {}: the newer plugin is not used, the one of before goes on: {}", robot_.name, reason.message());
-  for (Member& member : members_) {
-    if (member.generation == generation_)
-      retire(member);
-    else if (!member.retiring)
-      member.generation = generation_ + 1;
-  }
-  ++generation_;
-  changed();
-}
-
 void Pool::on_report(Worker& worker, Run run, frame::Report report) {
   if (!report.leave()) health_.proved();
   Member& member = member_of(worker);
@@ -249,7 +213,7 @@ void Pool::on_departure(Worker& worker, Departure departure) {
   const bool was_newest = member_of(worker).generation == generation_;
   std::erase_if(members_, [&](const Member& member) { return member.worker.get() == &worker; });
   if (departure.error.code() != msg::NO_ERROR) spdlog::warn("robot {}: {}", robot_.name, departure.error.message());
-  if (departure.error.code() != msg::NO_ERROR && !closed_) owed_ = std::min(owed_ + 1, robot_.slots);
+  if (departure.error.code() != msg::NO_ERROR && !closed_ && !withdrawn_ && was_newest) owed_ = std::min(owed_ + 1, robot_.slots);
   if (departure.crash) {
     ++crashes_;
     if (!was_ready && was_newest && older_serve())

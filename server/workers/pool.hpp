@@ -1,5 +1,5 @@
 // The workers of one robot: as many as it has slots, started again when they die, taken out when they die too often, replaced by
-// newer ones on reload.
+// newer ones on reload (pool_reload.cpp).
 //
 // Thread rule: the loop's thread only.
 #pragma once
@@ -43,6 +43,11 @@ class Pool final : public WorkerOwner {
   // Newer workers from the file on disk. The ones of before go on until the newer are ready, finish their runs, and stay if the
   // newer are refused.
   void reload();
+  // The robot as a newer configuration has it. Reloads, and returns true, if its numbers, its planner's file or the worker program
+  // are others than those that are loaded, or if it is not READY: whoever asks has mended something. Else its workers stay.
+  bool apply(RobotConfig robot, const WorkersConfig& limits, std::string program);
+  // The configuration does not hold the robot any more: runs go on to their end, nothing new is taken. apply() brings it back.
+  void withdraw();
   // Nothing is started any more; idle workers leave, busy ones are killed.
   void close();
   bool empty() const { return members_.empty(); }
@@ -81,6 +86,7 @@ class Pool final : public WorkerOwner {
   std::shared_ptr<const msg::RobotInfo> described(msg::RobotState state, const std::string& reason) const;
   Member& member_of(const Worker& worker);
   frame::Load load_frame() const;
+  std::string file_stamps() const;
 
   boost::asio::io_context& loop_;
   PoolListener& listener_;
@@ -91,7 +97,8 @@ class Pool final : public WorkerOwner {
   boost::asio::steady_timer timer_;  // the next start that had to wait
   std::vector<Member> members_;
   unsigned generation_ = 0;
-  bool closed_ = false, settled_ = false, telling_ = false;
+  bool closed_ = false, withdrawn_ = false, settled_ = false, telling_ = false;
+  std::string loaded_;                                       // file_stamps() when the generation began
   std::optional<msg::RobotInfo> info_;                       // of the newest worker that was ready
   mutable std::shared_ptr<const msg::RobotInfo> described_;  // what status() said last
   std::optional<msg::Error> refused_;                        // why no worker is started

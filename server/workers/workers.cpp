@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
+#include <set>
 #include <stdexcept>
 
 #include "foothold/msg/errors.hpp"
@@ -16,13 +17,14 @@ constexpr auto kMemoryPeriod = std::chrono::milliseconds(100);
 
 Workers::Workers(boost::asio::io_context& loop, WorkersOptions options, std::vector<RobotConfig> robots)
     : loop_(loop), memory_timer_(loop) {
+  for (RobotConfig& robot : robots)
+    if (robot.enabled) add(std::move(robot), options);
+}
+
+void Workers::add(RobotConfig robot, const WorkersOptions& options) {
   PoolListener& listener = *this;
-  for (RobotConfig& robot : robots) {
-    if (!robot.enabled) continue;
-    memory_limits_ = memory_limits_ || robot.memory_limit != 0;
-    std::string name = robot.name;
-    pools_.emplace(std::move(name), std::make_unique<Pool>(loop, listener, std::move(robot), options.limits, options.program));
-  }
+  std::string name = robot.name;
+  pools_.emplace(std::move(name), std::make_unique<Pool>(loop_, listener, std::move(robot), options.limits, options.program));
 }
 
 Workers::~Workers() = default;
@@ -31,7 +33,7 @@ void Workers::open(RunEvents& events, std::function<void()> settled) {
   events_ = &events;
   settled_ = std::move(settled);
   for (auto& [name, pool] : pools_) pool->open();
-  if (memory_limits_) watch_memory();
+  watch_memory();
   if (pools_.empty()) on_settled({});
 }
 
@@ -48,10 +50,38 @@ bool Workers::reload(const std::string& robot) {
   return true;
 }
 
+std::vector<std::string> Workers::apply(WorkersOptions options, std::vector<RobotConfig> robots, std::function<void()> settled) {
+  std::vector<std::string> news;
+  std::set<std::string> wanted;
+  settled_ = std::move(settled);
+  for (RobotConfig& robot : robots) {
+    if (!robot.enabled) continue;
+    const std::string name = robot.name;
+    wanted.insert(name);
+    if (const auto known = pools_.find(name); known != pools_.end()) {
+      const bool anew = known->second->apply(std::move(robot), options.limits, options.program);
+      news.push_back("robot " + name + (anew ? ": newer workers are started" : ": nothing changed, its workers stay"));
+    } else {
+      add(std::move(robot), options);
+      pools_.at(name)->open();
+      news.push_back("robot " + name + ": is new");
+    }
+  }
+  for (auto& [name, pool] : pools_) {
+    if (wanted.contains(name)) continue;
+    pool->withdraw();
+    news.push_back("robot " + name + ": leaves");
+  }
+  boost::asio::post(loop_, [this, alive = std::weak_ptr(alive_)] {
+    if (!alive.expired()) on_settled({});
+  });
+  return news;
+}
+
 void Workers::close(std::function<void()> gone) {
   gone_ = std::move(gone);
+  closing_ = true;
   memory_timer_.cancel();
-  memory_limits_ = false;
   for (auto& [name, pool] : pools_) pool->close();
   boost::asio::post(loop_, [this, alive = std::weak_ptr(alive_)] {
     if (!alive.expired()) tell_gone();
@@ -131,7 +161,7 @@ void Workers::on_settled(const std::string&) {
 void Workers::watch_memory() {
   memory_timer_.expires_after(kMemoryPeriod);
   memory_timer_.async_wait([this](const auto& error) {
-    if (error || !memory_limits_) return;
+    if (error || closing_) return;
     for (auto& [name, pool] : pools_) pool->check_memory();
     watch_memory();
   });

@@ -37,6 +37,10 @@ class Workers final : public Planners, private PoolListener {
   // Loads a robot's plugin again from its file, in new workers. Runs go on; if the newer plugin is refused the older stays.
   // False if there is no such robot.
   bool reload(const std::string& robot);
+  // The robots and limits of a newer configuration: robots that are new come, those that are gone or not enabled any more leave
+  // when their runs are over, those that changed get newer workers (Pool::apply). `settled`: every robot is ready again, or it is
+  // known why it is not; called from the loop. A sentence for each robot that something happens to.
+  std::vector<std::string> apply(WorkersOptions options, std::vector<RobotConfig> robots, std::function<void()> settled);
   // For the end of the server: idle workers leave, and are killed if they have not after a second; what still runs is killed at
   // once. None is started. `gone`: all have left.
   void close(std::function<void()> gone);
@@ -59,6 +63,7 @@ class Workers final : public Planners, private PoolListener {
   void on_settled(const std::string& robot) override;
   void watch_memory();
   void tell_gone();
+  void add(RobotConfig robot, const WorkersOptions& options);
 
   boost::asio::io_context& loop_;
   boost::asio::steady_timer memory_timer_;
@@ -67,7 +72,7 @@ class Workers final : public Planners, private PoolListener {
   Run last_run_ = 0;
   RunEvents* events_ = nullptr;
   std::function<void()> settled_, gone_;
-  bool memory_limits_ = false;
+  bool closing_ = false;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };
 

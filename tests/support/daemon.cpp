@@ -35,7 +35,15 @@ Daemon::~Daemon() {
   if (std::uncaught_exceptions() > 0 || testing::Test::HasFailure()) std::cerr << "---- log of footholdd\n" << log() << "----\n";
 }
 
+void Daemon::configure(DaemonOptions options) {
+  options_ = std::move(options);
+  write_configuration();
+}
+
+void Daemon::hang_up() { child_->signal(SIGHUP); }
+
 void Daemon::write_configuration() const {
+  fs::remove_all(directory_ / "robots");
   fs::create_directories(directory_ / "robots");
   std::ofstream file(directory_ / "footholdd.yaml");
   file << "name: test\n"

@@ -268,5 +268,25 @@ TEST_F(ScenesTest, AFolderIsPreloadedByStemAndFaultsAreToldWithTheFile) {
   EXPECT_EQ(scenes_->preload(shipped / "none").size(), 1U);
 }
 
+TEST_F(ScenesTest, WhatChangedInAPreloadedFolderIsStoredAndToldWhileServing) {
+  TemporaryFolder shipped;
+  std::ofstream(shipped / "same.yaml") << kYaml;
+  std::ofstream(shipped / "other.yaml") << kYaml;
+  scenes_->preload(shipped.path().string());
+  std::ofstream(shipped / "other.yaml") << kYaml << "newer: true\n";
+  std::ofstream(shipped / "new.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  std::ofstream(shipped / "faulty.yaml") << "a: [";
+  std::ofstream(shipped / "large.yaml") << std::string(2 << 20, '#');
+  std::vector<std::string> complaints;
+  scenes_->preload_again(shipped.path().string(), [&](const std::string& text) { complaints.push_back(text); });
+  EXPECT_EQ(stored("other"), kYaml + "newer: true\n");
+  EXPECT_TRUE(scenes_->knows("new"));
+  ASSERT_EQ(told_.size(), 2U) << "what is the same is not told again";
+  EXPECT_EQ(told_[0].state(), msg::STORED);
+  ASSERT_EQ(complaints.size(), 2U);
+  EXPECT_NE(complaints[0].find("large.yaml: must have 1 to 1048576 octets"), std::string::npos) << complaints[0];
+  EXPECT_NE(complaints[1].find("faulty.yaml: "), std::string::npos) << complaints[1];
+}
+
 }  // namespace
 }  // namespace foothold::server::testing
