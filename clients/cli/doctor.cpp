@@ -61,6 +61,7 @@ Exit run_doctor(const Common& common) {
   reporter.tell({{Finding::Level::kOk, "foothold", kVersion, ""}});
   reporter.tell(check_interfaces(around));
   reporter.tell(check_exposure(common));
+  reporter.tell(check_security(common));
   reporter.tell(check_environment(around, common));
   reporter.tell(check_participants(around, common));
   reporter.tell(check_socket_buffers(around));

@@ -64,8 +64,8 @@ Exit run_security_revoke(const SecurityOptions& options) {
   complaining([&] { security::revoke(options.authority, options.name); });
   std::printf("revoked the credentials of %s\n", options.name.c_str());
   std::printf(
-      "next: copy %s/revoked.crl over the one in every server's credentials, then restart footholdd: until then it knows nothing "
-      "of it\n",
+      "next: copy %s/revoked.crl over the one in everybody's credentials, the servers' first, and restart footholdd: until then "
+      "it holds nowhere\n",
       options.authority.c_str());
   return Exit::kSucceeded;
 }

@@ -39,6 +39,8 @@ Surroundings this_machine();
 Findings check_interfaces(const Surroundings& around);
 // Whether DDS traffic can leave this host, by the network configuration that is in use.
 Findings check_exposure(const Common& common);
+// Whether DDS Security is on; what is open without it, or whether the credentials are in order.
+Findings check_security(const Common& common);
 // Variables of the vendors, of ROS and of foothold, and what they do to us.
 Findings check_environment(const Surroundings& around, const Common& common);
 // How many participants the domain has on this host, of those that it can have; whether its ports can be taken by others.

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 
+#include "credentials.hpp"
 #include "doctor/check.hpp"
 
 namespace foothold::test {
@@ -58,6 +59,36 @@ TEST_F(Doctor, TellsWhatOtherInterfacesAreUp) {
   machine_.interfaces.push_back({"eth0", true, false, {"192.0.2.7"}});
   machine_.interfaces.push_back({"wlan0", false, false, {"192.0.2.8"}});
   EXPECT_EQ(about(check_interfaces(machine_), "interfaces")->message, "also up: eth0 192.0.2.7");
+}
+
+TEST_F(Doctor, SaysWhatIsOpenWithoutSecurity) {
+  Common common;
+  const Findings open = check_security(common);
+  ASSERT_EQ(open.size(), 1u);
+  EXPECT_EQ(open[0].level, Level::kWarn);
+  EXPECT_NE(open[0].message.find("every program on this host can submit and cancel requests"), std::string::npos);
+  EXPECT_NE(open[0].advice.find("foothold security init"), std::string::npos);
+  common.network = "eth.xml";
+  EXPECT_NE(check_security(common)[0].message.find("whoever reaches the network"), std::string::npos);
+}
+
+TEST_F(Doctor, LooksAtTheCredentialsForBothVendors) {
+  const Fleet fleet;
+  Common common;
+  common.security = fleet.issue("robot-7", security::Role::kClient);
+  for (const char* subject : {"DDS Security", "credentials for cyclone", "credentials for fastdds"})
+    EXPECT_EQ(about(check_security(common), subject)->level, Level::kOk) << subject;
+  EXPECT_NE(about(check_security(common), "credentials for cyclone")->message.find("client robot-7, valid for 36"),
+            std::string::npos);
+  fs::remove(common.security + "/fastdds.crt");
+  EXPECT_EQ(about(check_security(common), "credentials for cyclone")->level, Level::kOk);
+  EXPECT_EQ(about(check_security(common), "credentials for fastdds")->level, Level::kFail);
+  fs::permissions(common.security + "/identity.key", fs::perms(0644));
+  EXPECT_NE(about(check_security(common), "credentials for cyclone")->message.find("chmod 600"), std::string::npos);
+  const std::string soon = common.security + "-soon";
+  security::issue({.authority = fleet.authority(), .name = "robot-8", .folder = soon, .days = 5});
+  common.security = soon;
+  EXPECT_EQ(about(check_security(common), "credentials for cyclone")->level, Level::kWarn);
 }
 
 TEST_F(Doctor, KnowsWhetherTrafficCanLeaveTheHost) {
