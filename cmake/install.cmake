@@ -44,8 +44,9 @@ foreach(component foothold dev)
   install(FILES config/debian/copyright ${changelog} DESTINATION ${doc_dir}/${package} COMPONENT ${component})
 endforeach()
 
-add_custom_target(installed DEPENDS footholdd foothold-worker foothold planners foothold_documents foothold-terrain foothold-truss changelog
-  ${exported})
+set(installed_targets footholdd foothold-worker foothold foothold-terrain foothold-truss foothold_bus_cyclone foothold_bus_fastdds
+  ${planners} ${exported})
+add_custom_target(installed DEPENDS ${installed_targets} foothold_documents changelog)
 
 # Debian's manual pages are compressed.
 install(CODE [[

@@ -21,7 +21,7 @@ set(CPACK_DEBIAN_FOOTHOLD_PACKAGE_NAME foothold)
 set(CPACK_DEBIAN_FOOTHOLD_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_FOOTHOLD_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_FOOTHOLD_PACKAGE_CONTROL_EXTRA
-  ${CMAKE_BINARY_DIR}/debian/conffiles ${debian}/postinst ${debian}/prerm ${debian}/postrm)
+  ${CMAKE_BINARY_DIR}/debian/conffiles ${debian}/triggers ${debian}/postinst ${debian}/prerm ${debian}/postrm)
 set(CPACK_COMPONENT_FOOTHOLD_DESCRIPTION
 "planning server for walking and climbing robots
 footholdd takes plan requests over DDS (Cyclone DDS or Fast DDS), lets each
@@ -45,5 +45,12 @@ plans, and the IDL for clients in other languages.
 A planner to copy is in /usr/share/doc/foothold-dev/examples/template.")
 
 include(CPack)
-add_custom_target(deb COMMAND ${CMAKE_CPACK_COMMAND} -G DEB WORKING_DIRECTORY ${CMAKE_BINARY_DIR} VERBATIM USES_TERMINAL)
+
+# Made anew when something that is installed has changed.
+execute_process(COMMAND dpkg --print-architecture OUTPUT_VARIABLE architecture OUTPUT_STRIP_TRAILING_WHITESPACE)
+set(deb ${CPACK_PACKAGE_DIRECTORY}/foothold_${PROJECT_VERSION}_${architecture}.deb)
+file(GLOB_RECURSE files CONFIGURE_DEPENDS cmake/* config/* idl/*.idl idl/*.md plugins/template/* plugins/toolkit/*.1 clients/cpp/examples/* server/*.8)
+add_custom_command(OUTPUT ${deb} COMMAND ${CMAKE_CPACK_COMMAND} -G DEB > packages.log
+  DEPENDS ${installed_targets} ${files} WORKING_DIRECTORY ${CMAKE_BINARY_DIR} VERBATIM USES_TERMINAL)
+add_custom_target(deb DEPENDS ${deb})
 add_dependencies(deb installed)

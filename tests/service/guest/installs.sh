@@ -19,3 +19,4 @@ cp /root/many.so /usr/local/lib/foothold/walker.so
 cp /root/guest/walker.yaml /etc/foothold/robots/
 systemctl restart $unit
 foothold --timeout 20 robots walker
+foothold doctor >$work/doctor || fail "the doctor is not content: $(cat $work/doctor)"

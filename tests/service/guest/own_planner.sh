@@ -2,13 +2,15 @@
 # installed beside the server, the one is planned with, the other served, of either vendor.
 . /root/guest/lib.sh
 fresh
-dpkg -i /root/hopper.deb
-systemctl restart $unit
+old=$(pid)
+dpkg -i /root/hopper.deb   # its trigger reloads the server
 sed 's/^robot: .*/robot: hopper/' $requests/template-straight.yaml >$work/hop.yaml
-foothold --timeout 20 plan $work/hop.yaml | grep SUCCEEDED
+until_true 20 foothold plan $work/hop.yaml
 for vendor in cyclone fastdds; do
   /root/plan_and_print 0 $vendor >$work/printed
   grep '^goal reached' $work/printed || fail "$vendor: $(cat $work/printed)"
 done
 dpkg -P foothold-planner-hopper
-systemctl restart $unit
+withdrawn() { foothold robots | grep '^hopper  *unavailable'; }
+until_true 20 withdrawn
+[ "$(pid)" = "$old" ] || fail "the server was restarted"

@@ -28,3 +28,8 @@ systemd-analyze security --threshold=20 $unit | tail -1
 for limit in MemoryMax TasksMax; do
   [ "$(systemctl show --property $limit --value foothold.slice)" != infinity ] || fail "the slice has no $limit"
 done
+# The kernel enforces them where it offers the controllers to a container.
+for limit in memory.max pids.max; do
+  file=/sys/fs/cgroup/foothold.slice/$limit
+  if [ -e $file ]; then [ "$(cat $file)" != max ] || fail "$file is not set"; else echo "no controller for $limit here: the limit is only read back"; fi
+done
