@@ -17,7 +17,8 @@ struct Outcome {
   std::uint32_t state = 0;
   std::uint16_t code = 0;  // of the error
   std::uint32_t steps = 0;
-  std::string chain;  // of the steps' octets
+  std::string chain;   // of the steps' octets
+  std::string reason;  // the error's message
 };
 
 // The chain of a plan's steps: begins empty, and takes each step in order.

@@ -17,6 +17,7 @@ namespace {
 using namespace foothold;
 using namespace foothold::faults;
 
+constexpr std::size_t kReason = 500;  // octets
 constexpr int kSpoiltOfThousand = 25;
 // A server that takes nothing at present is not asked more than a few times a second.
 constexpr auto kBackOff = std::chrono::milliseconds(300);
@@ -64,6 +65,7 @@ int main(int argc, char** argv) {
               outcome->state = event.state();
               outcome->code = event.error().code();
               outcome->steps = event.steps();
+              outcome->reason = event.error().message().substr(0, kReason);
               note(record, id, *outcome);
               if (event.state() == msg::REJECTED && event.error().retryable()) refused = true;
               room.release();

@@ -92,7 +92,7 @@ void weather(StormOptions options) {
   EXPECT_EQ(noted.size(), std::size_t{options.clients} * options.requests) << "requests were lost\n" << storm.missing();
   for (const auto& [id, note] : noted)
     EXPECT_TRUE(may_end_so(note)) << msg::to_hex(id) << ": a request of kind " << note.kind << " ended in state " << note.state
-                                  << ", error " << note.code;
+                                  << ", error " << note.code << ": " << note.reason;
   const auto tally = storm.tally();
   for (const auto& [seed, times] : tally) EXPECT_EQ(times, 1) << "request " << seed << " was planned " << times << " times";
   expect_none(storm.observer().complaints());

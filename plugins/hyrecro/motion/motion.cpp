@@ -10,6 +10,10 @@
 namespace foothold::hyrecro {
 namespace {
 
+// s, added to each part: the difference of two times or of two joints is rounded, and a part may be so short that this alone would
+// make it too fast.
+constexpr double kRounding = 1e-11;
+
 // Appends points without jumps in the hips, those in between that keep hips below a quarter turn, and their times.
 class Writer {
  public:
@@ -26,9 +30,10 @@ class Writer {
       return;
     }
     const Actuators begin = last_, way = q - begin;
-    const double time = motion.times.back(), all = duration(model_, begin, q) * (1.0 + 1e-9);
-    if (all <= 0.0) return;
+    const double time = motion.times.back(), least = duration(model_, begin, q);
+    if (least <= 0.0) return;
     const int pieces = 1 + static_cast<int>(way.tail<2>().cwiseAbs().maxCoeff() / (0.499 * std::numbers::pi));
+    const double all = least * (1.0 + 1e-9) + pieces * kRounding;
     for (int i = 1; i <= pieces; ++i) {
       const double part = static_cast<double>(i) / pieces;
       put(i == pieces ? q : Actuators(begin + part * way), i == pieces ? exact : nullptr, time + part * all);
