@@ -34,13 +34,14 @@ class Observer {
   std::map<msg::Id, Final> final_states() const;
   std::uint64_t events() const;
   std::uint64_t steps() const;
-  // Sentences, one for each promise that was broken: two final states of a request, RUNNING told twice, two contents of one step,
-  // a step behind the count of the final state, a margin below its least.
+  // Sentences, one for each promise that was broken: two final states of a request, RUNNING told twice or behind the end, two
+  // contents of one step, a step behind the count of the final state, a margin below its least.
   std::vector<std::string> complaints() const;
 
  private:
   struct Heard {
     bool running = false, ended = false;
+    std::int64_t ended_at = 0;  // the final state's stamp
     Final end;
     std::vector<std::uint64_t> steps;  // hash of each step's octets; 0: not heard
   };

@@ -49,7 +49,8 @@ bool may_end_so(const Outcome& note) {
   const auto state = static_cast<msg::State>(note.state);
   // Of faults that may strike any request.
   if (state == msg::FAILED && (note.code == msg::SERVER_RESTARTED || note.code == msg::STORAGE_FAILED)) return true;
-  if (state == msg::REJECTED && note.code == msg::STORAGE_FAILED) return true;
+  // Unavailable: a worker that was killed while the server loaded it at its start is there again a tenth of a second later.
+  if (state == msg::REJECTED && (note.code == msg::STORAGE_FAILED || note.code == msg::ROBOT_UNAVAILABLE)) return true;
   if (note.kind == "malformed") return state == msg::REJECTED;
   if (state == msg::CRASHED && note.code == msg::WORKER_CRASHED) return true;
   if (state == msg::EXPIRED) return note.kind != "memory" || note.steps <= 1;
