@@ -49,19 +49,4 @@ Lanes gap(const Flat& a0, const Flat& b0, const Flat& a1, const Flat& b1) {
   return best;
 }
 
-Lanes bend_of(const Legs& legs, const Rates& r, const Fold& fold) {
-  const std::array<Lanes, kLinks> turn{all(0.0), r.pitch[0], r.pitch[1], r.pitch[2], r.pitch[2]};
-  const Lanes roll = fold.b == kFoot ? r.ankle : all(0.0);
-  const auto squared = [](Lanes v) { return v * v; };
-  const Lanes between = squared(magnitude(turn[fold.b] - turn[fold.a]) + roll);
-  Lanes from_a = legs.boxes[fold.b].reach * between;
-  Lanes from_b = legs.boxes[fold.a].reach_back * between + legs.boxes[fold.b].reach * squared(roll);
-  for (std::size_t k = fold.a + 1; k < fold.b && k <= kShin; ++k) {
-    const double length = k == kThigh ? legs.thigh_length : legs.shin_length;
-    from_a += length * squared(turn[k] - turn[fold.a]);
-    from_b += length * squared(magnitude(turn[k] - turn[fold.b]) + roll);
-  }
-  return larger(from_a, from_b);
-}
-
 }  // namespace foothold::bioloid

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "bioloid/posture/planes.hpp"
+
 namespace foothold::bioloid {
 namespace {
 
@@ -27,10 +29,6 @@ Ground::Obstacle seen_from(const Isometry3d& world, const Prism& prism) {
     out.faces.push_back({out.corners[i], out.corners[j], out.corners[count + j], out.corners[count + i]});
   }
   return out;
-}
-
-double least_along(const collision::Box& box, const Vector3d& n) {
-  return n.dot(box.pose.translation()) - (box.pose.linear().transpose() * n).cwiseAbs().dot(box.half);
 }
 
 // Between prism and box along n, out of the prism.

@@ -51,8 +51,8 @@ struct Judge::Inside {
 
   // Of self_apart(): self.cpp.
   bool folds_apart(const Snapshot& a, const Snapshot& b, const Rates* rates) const;
-  bool legs_apart(const Snapshot& a, const Snapshot& b, const Rates* rates) const;
-  bool upper_apart(const Snapshot& a, const Snapshot& b, const Rates* rates) const;
+  bool legs_apart(const Snapshot& a, const Snapshot& b, const Rates* rates, bool& clear_of_far_arms) const;
+  bool upper_apart(const Snapshot& a, const Snapshot& b, const Rates* rates, bool clear_of_far_arms) const;
   bool arms_apart(const Snapshot& a, const Snapshot& b, double bend) const;
   bool brackets_apart(const Snapshot& a, const Snapshot& b, const Rates* rates) const;
   bool against_legs(const Snapshot& a, const Snapshot& b, std::size_t first, std::size_t last,

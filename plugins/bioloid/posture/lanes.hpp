@@ -2,6 +2,7 @@
 // nothing is contracted. Private.
 #pragma once
 
+#include <cmath>
 #include <cstring>
 
 #include "bioloid/model/model.hpp"
@@ -20,6 +21,8 @@ FOOTHOLD_INLINE Lanes smaller(Lanes a, Lanes b) { return a < b ? a : b; }
 FOOTHOLD_INLINE Lanes magnitude(Lanes a) { return reinterpret_cast<Lanes>(reinterpret_cast<LaneBits>(a) & 0x7fffffffffffffffLL); }
 FOOTHOLD_INLINE Lanes swapped(Lanes a) { return __builtin_shuffle(a, LaneBits{1, 0}); }
 FOOTHOLD_INLINE bool both_above(Lanes a, double limit) { return (a[0] >= limit) & (a[1] >= limit); }
+
+FOOTHOLD_INLINE Lanes root(Lanes a) { return Lanes{std::sqrt(a[0]), std::sqrt(a[1])}; }
 
 struct Lanes3 {
   Lanes x, y, z;

@@ -2,6 +2,7 @@
 #include "bioloid/posture/legs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace foothold::bioloid {
 namespace {
@@ -50,8 +51,16 @@ Legs::Legs(const Model& model) {
   for (std::size_t k = 0; k < kLinks; ++k) {
     const Vector3d next = k == kThigh ? thigh : k == kShin ? shin : Vector3d(0, 0, 0);
     const Hull right = hull_of(model.bodies[body_of(kRight, k)], next), left = hull_of(model.bodies[body_of(kLeft, k)], next);
-    boxes[k] = {lanes(right.centre, left.centre), lanes(right.half, left.half), Lanes{right.reach, left.reach},
-                Lanes{right.reach_back, left.reach_back}};
+    LinkBox& box = boxes[k];
+    box.centre = lanes(right.centre, left.centre);
+    box.half = lanes(right.half, left.half);
+    box.reach = Lanes{right.reach, left.reach};
+    box.reach_back = Lanes{right.reach_back, left.reach_back};
+    for (const Side side : {kRight, kLeft}) {
+      const Vector3d half = box.half.at(side);
+      box.radius[index_of(side)] = half.norm();
+      box.flat_radius[index_of(side)] = k == kFoot ? half.norm() : std::hypot(half.x(), half.z());
+    }
   }
   // What of the moment turns with each link: its own mass at its centre, and all masses beyond it at its far end.
   std::array<Vector3d, 2> bracket, still, block, upper, lower, ankle, foot;

@@ -26,9 +26,10 @@ struct Legs {
   explicit Legs(const Model& model);
 
   struct LinkBox {
-    Lanes3 centre, half;  // round all boxes of the link, in its frame
-    Lanes reach;          // from the link's joint to the farthest corner
-    Lanes reach_back;     // from the next joint (towards the sole) to the farthest corner
+    Lanes3 centre, half;        // round all boxes of the link, in its frame
+    Lanes reach;                // from the link's joint to the farthest corner
+    Lanes radius, flat_radius;  // round the box, in space and in the leg's plane however the ankle rolls
+    Lanes reach_back;           // from the next joint (towards the sole) to the farthest corner
   };
   std::array<Lanes, kLegJoints> signs;
   Lanes3 hip, sole;
@@ -55,25 +56,25 @@ struct Stand {
 
 void evaluate(const Legs& legs, const Joints& joints, Stand& out);
 
-// How far each link's box reaches along a direction of the torso's frame, not necessarily of length 1.
-struct Spans {
-  std::array<Lanes, kLinks> centre, extent;
+// A direction n of the torso's frame, not necessarily of length 1, against the legs' planes.
+struct Along {
+  Lanes x, y, z, hip;
 };
-FOOTHOLD_INLINE Spans spans(const Legs& legs, const Stand& at, const Lanes3& n) {
-  Spans out;
-  const Lanes nx = dot(n, at.x_axis), ny = dot(n, at.y_axis), nz = dot(n, at.z_axis), hip = dot(n, legs.hip), flat = magnitude(ny);
-  for (std::size_t k = 0; k < kLinks; ++k) out.centre[k] = hip + nx * at.centre[k].x + nz * at.centre[k].z + ny * at.along_y[k];
-  const auto& box = legs.boxes;
-  out.extent[0] = box[0].half.x * magnitude(nx) + box[0].half.y * flat + box[0].half.z * magnitude(nz);
-  Lanes x, z;
-  for (std::size_t k = 1; k < 4; ++k) {
-    x = at.cosine[k - 1] * nx - at.sine[k - 1] * nz;
-    z = at.sine[k - 1] * nx + at.cosine[k - 1] * nz;
-    out.extent[k] = box[k].half.x * magnitude(x) + box[k].half.y * flat + box[k].half.z * magnitude(z);
-  }
-  out.extent[4] = box[4].half.x * magnitude(x) + box[4].half.y * magnitude(at.roll_cosine * ny + at.roll_sine * z) +
-                  box[4].half.z * magnitude(at.roll_cosine * z - at.roll_sine * ny);
-  return out;
+FOOTHOLD_INLINE Along along(const Legs& legs, const Stand& at, const Lanes3& n) {
+  return {dot(n, at.x_axis), dot(n, at.y_axis), dot(n, at.z_axis), dot(n, legs.hip)};
+}
+// Of a link's box along n: where its centre lies, and how far it reaches to either side.
+FOOTHOLD_INLINE Lanes centre_along(const Stand& at, const Along& n, std::size_t link) {
+  return n.hip + n.x * at.centre[link].x + n.z * at.centre[link].z + n.y * at.along_y[link];
+}
+FOOTHOLD_INLINE Lanes extent_along(const Legs& legs, const Stand& at, const Along& n, std::size_t link) {
+  const Lanes3& half = legs.boxes[link].half;
+  if (link == kHipBlock) return half.x * magnitude(n.x) + half.y * magnitude(n.y) + half.z * magnitude(n.z);
+  const std::size_t pitch = link < kAnkleBlock ? link - 1 : 2;
+  const Lanes x = at.cosine[pitch] * n.x - at.sine[pitch] * n.z, z = at.sine[pitch] * n.x + at.cosine[pitch] * n.z;
+  if (link != kFoot) return half.x * magnitude(x) + half.y * magnitude(n.y) + half.z * magnitude(z);
+  return half.x * magnitude(x) + half.y * magnitude(at.roll_cosine * n.y + at.roll_sine * z) +
+         half.z * magnitude(at.roll_cosine * z - at.roll_sine * n.y);
 }
 
 // A link's frame in the torso's.

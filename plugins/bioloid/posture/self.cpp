@@ -12,20 +12,6 @@ namespace {
 
 constexpr Lanes kInward{1.0, -1.0};  // which way along Y a leg's inner side lies
 
-// Two instants of a motion, or twice the same posture; `bends` then 0.
-struct Instants {
-  const Snapshot &a, &b;
-  bool moving;
-};
-
-// m, what of a link's box lies farthest along +-n (n by lane), at the worse of both instants; with the bends, in lengths of n.
-Lanes farthest(const Spans& a, const Spans& b, Lanes way, const std::array<Lanes, kLinks>& bend, double length, std::size_t first) {
-  Lanes most = all(-1e9);
-  for (std::size_t k = first; k < kLinks; ++k)
-    most = larger(most, larger(way * a.centre[k] + a.extent[k], way * b.centre[k] + b.extent[k]) + (0.125 * length) * bend[k]);
-  return most;
-}
-
 bool is_leg(std::size_t body) { return body > kArmJoints; }
 std::size_t side_of(std::size_t body) { return (body - 1) % 2; }
 
@@ -54,42 +40,57 @@ bool Judge::Inside::bodies_apart(const Snapshot& a, const Snapshot& b, std::size
 }
 
 bool Judge::Inside::folds_apart(const Snapshot& a, const Snapshot& b, const Rates* rates) const {
-  std::array<Flat, kLinks> at_a, at_b;
-  for (std::size_t k = 0; k < kLinks; ++k) at_a[k] = flat(legs, a.stand, k);
-  if (rates)
-    for (std::size_t k = 0; k < kLinks; ++k) at_b[k] = flat(legs, b.stand, k);
   for (const Fold& fold : kFolds) {
-    const Lanes bend = rates ? bend_of(legs, *rates, fold) : all(0.0);
-    const Lanes room =
-        rates ? gap(at_a[fold.a], at_a[fold.b], at_b[fold.a], at_b[fold.b]) - 0.125 * bend : gap(at_a[fold.a], at_a[fold.b]);
+    const Lanes bend = rates ? bend_of(legs, *rates, fold) : all(0.0), needed = demands.clearance + 0.125 * bend;
+    // Circles round both, seen along the pitch axes from the first of the two; then rectangles; then boxes.
+    const Plane2 from = offset(a.stand, fold);
+    const Lanes between = legs.boxes[fold.a].flat_radius + legs.boxes[fold.b].flat_radius + needed;
+    Lanes room = root(from.x * from.x + from.z * from.z);
+    if (rates) {
+      const Plane2 to = offset(b.stand, fold);
+      const Lanes x = to.x - from.x, z = to.z - from.z;
+      room = 0.5 * (room + root(to.x * to.x + to.z * to.z) - root(x * x + z * z));
+    }
+    if (both_above(room - between, 0.0)) continue;
+    const Flat a_one = flat(legs, a.stand, fold.a), a_two = flat(legs, a.stand, fold.b);
+    room = rates ? gap(a_one, a_two, flat(legs, b.stand, fold.a), flat(legs, b.stand, fold.b)) : gap(a_one, a_two);
     for (const Side side : {Side::kRight, Side::kLeft})
-      if (!(of(room, side) >= demands.clearance) &&
+      if (!(of(room, side) >= of(needed, side)) &&
           !bodies_apart(a, b, body_of(side, fold.a), body_of(side, fold.b), of(bend, side)))
         return false;
   }
   return true;
 }
 
-bool Judge::Inside::legs_apart(const Snapshot& a, const Snapshot& b, const Rates* rates) const {
+bool Judge::Inside::legs_apart(const Snapshot& a, const Snapshot& b, const Rates* rates, bool& clear_of_far_arms) const {
   Lanes3 n = a.stand.y_axis;
   if (rates) n = n + b.stand.y_axis;
   n = {n.x + swapped(n.x), n.y + swapped(n.y), n.z + swapped(n.z)};
-  const double length = std::sqrt(dot(n, n)[0]);
+  const double length = std::sqrt(dot(n, n)[0]), clearance = demands.clearance * length;
+  const Along at_a = along(legs, a.stand, n), at_b = rates ? along(legs, b.stand, n) : at_a;
   std::array<Lanes, kLinks> bend{};
   if (rates) {
-    const auto across = [&](const Lanes3& y) {
-      const Lanes along = dot(n, y) / length;
-      return 1.0 - along * along;
-    };
-    // The pitch axes turn by no more than yaw and roll do.
-    Lanes sine_squared = larger(across(a.stand.y_axis), across(b.stand.y_axis));
-    Lanes sine = all(0.0);
-    for (std::size_t s = 0; s < 2; ++s) sine[s] = std::sqrt(std::max(0.0, sine_squared[s]));
+    // Turns about axes at a small angle to n move points along n little; the pitch axes turn by no more than yaw and roll do.
+    const double per_length = 1.0 / length;
+    const Lanes along_a = per_length * at_a.y, along_b = per_length * at_b.y;
+    const Lanes sine = root(larger(all(0.0), larger(1.0 - along_a * along_a, 1.0 - along_b * along_b)));
     bend = bends_from_torso(legs, *rates, smaller(all(1.0), sine + 0.5 * (magnitude(rates->yaw) + rates->roll)));
   }
-  const Spans at_a = spans(legs, a.stand, n), at_b = rates ? spans(legs, b.stand, n) : at_a;
-  const Lanes inner = farthest(at_a, at_b, kInward, bend, length, 0);
-  if (length > 0.1 && -(inner[0] + inner[1]) >= demands.clearance * length) return true;
+  // How far each leg reaches to its inner side.
+  Lanes inner = all(-1e9);
+  for (std::size_t k = 0; k < kLinks; ++k) {
+    Lanes most = kInward * centre_along(a.stand, at_a, k) + extent_along(legs, a.stand, at_a, k);
+    if (rates) {
+      const Lanes there = kInward * centre_along(b.stand, at_b, k) + extent_along(legs, b.stand, at_b, k);
+      most = larger(most, there) + (0.125 * length) * bend[k];
+    }
+    inner = larger(inner, most);
+  }
+  const Upper& u = *a.upper;
+  const Lanes arms = kInward * dot(n, u.arm_centre) + magnitude(dot(n, u.arm_axes[0])) + magnitude(dot(n, u.arm_axes[1])) +
+                     magnitude(dot(n, u.arm_axes[2]));
+  clear_of_far_arms = both_above(-(arms + swapped(inner)), clearance);
+  if (length > 0.1 && -(inner[0] + inner[1]) >= clearance) return true;
   if (rates) bend = bends_from_torso(legs, *rates, all(1.0));
   for (std::size_t i = 0; i < kLinks; ++i)
     for (std::size_t j = 0; j < kLinks; ++j)
@@ -97,24 +98,38 @@ bool Judge::Inside::legs_apart(const Snapshot& a, const Snapshot& b, const Rates
   return true;
 }
 
-bool Judge::Inside::upper_apart(const Snapshot& a, const Snapshot& b, const Rates* rates) const {
+bool Judge::Inside::upper_apart(const Snapshot& a, const Snapshot& b, const Rates* rates, bool clear_of_far_arms) const {
   const bool arms_move = rates && rates->arms > 0.0;
   if (!a.upper->apart || !b.upper->apart) return false;
   const std::array<Lanes, kLinks> bend = rates ? bends_from_torso(legs, *rates, all(1.0)) : std::array<Lanes, kLinks>{};
-  const Lanes3 up{all(0.0), all(0.0), all(1.0)};
-  {
-    const Spans at_a = spans(legs, a.stand, up), at_b = rates ? spans(legs, b.stand, up) : at_a;
-    const Lanes top = farthest(at_a, at_b, all(1.0), bend, 1.0, kThigh);
-    if (!both_above(a.upper->lowest - top, demands.clearance) && !against_legs(a, b, 0, 0, bend, 0.0)) return false;
+  // The torso: spheres round the links stay below it.
+  const auto heights = [&](const Snapshot& at, std::size_t k) {
+    return legs.hip.z + at.stand.y_axis.z * at.stand.along_y[k] + at.stand.z_axis.z * at.stand.centre[k].z;
+  };
+  Lanes top = all(-1e9);
+  for (std::size_t k = kThigh; k < kLinks; ++k) {
+    const Lanes height = rates ? larger(heights(a, k), heights(b, k)) + 0.125 * bend[k] : heights(a, k);
+    top = larger(top, height + legs.boxes[k].radius);
   }
+  if (!both_above(a.upper->lowest - top, demands.clearance) && !against_legs(a, b, 0, 0, bend, 0.0)) return false;
   if (!arms_move) {
-    const auto& n = a.upper->normal;
-    const Lanes offset{a.upper->offset[0], a.upper->offset[1]};
-    const auto beside = [&](const Lanes3& normal, Lanes beyond) {
-      const Spans at_a = spans(legs, a.stand, normal), at_b = rates ? spans(legs, b.stand, normal) : at_a;
-      return both_above(beyond - farthest(at_a, at_b, all(1.0), bend, 1.0, kHipBlock), demands.clearance);
+    // A plane beside each arm: hip block and thigh as boxes, what is farther down as spheres; the other leg all as spheres.
+    const auto beside = [&](const Lanes3& n, Lanes offset, std::size_t as_boxes) {
+      const Along at_a = along(legs, a.stand, n), at_b = rates ? along(legs, b.stand, n) : at_a;
+      Lanes most = all(-1e9);
+      for (std::size_t k = 0; k < kLinks; ++k) {
+        const auto reaches = [&](const Snapshot& at, const Along& to) {
+          return centre_along(at.stand, to, k) + (k < as_boxes ? extent_along(legs, at.stand, to, k) : legs.boxes[k].radius);
+        };
+        most = larger(most, rates ? larger(reaches(a, at_a), reaches(b, at_b)) + 0.125 * bend[k] : reaches(a, at_a));
+      }
+      return both_above(offset - most, demands.clearance);
     };
-    if (beside(lanes(n[0], n[1]), offset) && beside(lanes(n[1], n[0]), swapped(offset))) return true;
+    const Lanes3& n = a.upper->arm_plane;
+    const Lanes offset = a.upper->arm_offset;
+    if (beside(n, offset, kShin) &&
+        (clear_of_far_arms || beside({swapped(n.x), swapped(n.y), swapped(n.z)}, swapped(offset), kHipBlock)))
+      return true;
   }
   const double arm_bend = arms_move ? arm * rates->arms * rates->arms : 0.0;
   if (arms_move && !arms_apart(a, b, arm_bend)) return false;
@@ -166,7 +181,8 @@ bool Judge::Inside::brackets_apart(const Snapshot& a, const Snapshot& b, const R
 }
 
 bool Judge::Inside::self_apart(const Snapshot& a, const Snapshot& b, const Rates* rates) const {
-  return folds_apart(a, b, rates) && legs_apart(a, b, rates) && upper_apart(a, b, rates) &&
+  bool clear_of_far_arms = false;
+  return folds_apart(a, b, rates) && legs_apart(a, b, rates, clear_of_far_arms) && upper_apart(a, b, rates, clear_of_far_arms) &&
          (!bracket_boxes || brackets_apart(a, b, rates));
 }
 

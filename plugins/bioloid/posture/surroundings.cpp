@@ -15,15 +15,9 @@ double square(double v) { return v * v; }
 Isometry3d Judge::Inside::body_frame(const Snapshot& at, std::size_t body) const {
   if (body > kArmJoints + 2)
     return frame_of(legs, at.stand, static_cast<Side>((body - 1) % 2), (body - body_of(Side::kRight, 0)) / 2);
-  const auto place_of = [&](std::size_t b) -> Isometry3d {
-    const JointModel& joint = model.joints[b - 1];
-    return kinematics::displacement({joint.axis, joint.origin}, at.joints[static_cast<int>(b - 1)]) *
-           Eigen::Translation3d(joint.origin);
-  };
-  Isometry3d frame = Isometry3d::Identity();
-  for (int b = static_cast<int>(body); b > 0; b = model.joints[static_cast<std::size_t>(b - 1)].parent + 1)
-    frame = place_of(static_cast<std::size_t>(b)) * frame;
-  return frame;
+  if (body <= kArmJoints) return at.upper->frames[body];
+  const JointModel& yaw = model.joints[body - 1];
+  return kinematics::displacement({yaw.axis, yaw.origin}, at.joints[static_cast<int>(body - 1)]) * Eigen::Translation3d(yaw.origin);
 }
 
 Isometry3d Judge::Inside::swing_sole(const Snapshot& at) const {
@@ -107,21 +101,28 @@ bool Judge::Inside::keeps_place(const Snapshot& a, const Snapshot& b, const Bend
 
 bool Judge::Inside::above_ground(const Snapshot& a, const Snapshot& b, const Bends* bends, unsigned touching) const {
   const bool moving = bends != nullptr;
-  const Side support = ground.support.foot, swing = other(support);
-  // Heights over the sole of everything but the feet.
+  const Side swing = other(ground.support.foot);
+  // Heights over the sole of everything but the feet: spheres round hip blocks, thighs and shins first.
   const auto lowest = [&](const Snapshot& at) {
     const Vector3d up = at.sole_turn.col(2);
-    const Spans s = spans(legs, at.stand, in_both(up));
-    Lanes least = s.centre[0] - s.extent[0] - (moving ? 0.125 * bends->from_sole[0] : all(0.0));
-    for (std::size_t k = 1; k < kFoot; ++k)
-      least = smaller(least, s.centre[k] - s.extent[k] - (moving ? 0.125 * bends->from_sole[k] : all(0.0)));
-    double out = std::min(least[0], least[1]);
-    double above = -at.upper->reach;
-    const double stray = moving ? 0.125 * bends->upper : 0.0, sole = up.dot(at.sole);
-    // The sphere round the pelvis first; box by box only near the ground.
-    if (above - stray < sole)
-      for (const Upper::Part& part : at.upper->parts) out = std::min(out, least_along(part.box, up) - stray);
-    return out - sole;
+    const double sole = up.dot(at.sole);
+    const Along n = along(legs, at.stand, in_both(up));
+    const auto least = [&](bool spheres) {
+      Lanes out = all(1e9);
+      for (std::size_t k = kHipBlock; k <= kAnkleBlock; ++k) {
+        const Lanes extent = spheres && k < kAnkleBlock ? legs.boxes[k].radius : extent_along(legs, at.stand, n, k);
+        const Lanes bottom = centre_along(at.stand, n, k) - extent;
+        out = smaller(out, moving ? bottom - 0.125 * bends->from_sole[k] : bottom);
+      }
+      return std::min(out[0], out[1]) - sole;
+    };
+    double out = least(true);
+    if (out < 0.0) out = least(false);
+    // Torso and arms: a sphere round the pelvis; part by part only near the ground.
+    const double stray = moving ? 0.125 * bends->upper : 0.0;
+    if (-at.upper->reach - stray < sole)
+      for (const Upper::Part& part : at.upper->parts) out = std::min(out, least_along(part.box, up) - stray - sole);
+    return out;
   };
   if (!(lowest(a) >= 0.0) || (moving && !(lowest(b) >= 0.0))) return false;
   if (ground.support.both) return true;

@@ -3,14 +3,11 @@
 
 #include <algorithm>
 
+#include "bioloid/posture/planes.hpp"
 #include "kinematics/screw.hpp"
 
 namespace foothold::bioloid {
 namespace {
-
-double least_along(const collision::Box& box, const Vector3d& n) {
-  return n.dot(box.pose.translation()) - (box.pose.linear().transpose() * n).cwiseAbs().dot(box.half);
-}
 
 bool apart(const Model& model, const Upper& upper, double clearance) {
   for (std::size_t i = 0; i < upper.parts.size(); ++i)
@@ -21,25 +18,43 @@ bool apart(const Model& model, const Upper& upper, double clearance) {
   return true;
 }
 
-// The face's plane that leaves the arm beyond it and the leg, stretched down from its hip, farthest on this side.
-void choose_plane(const Model& model, Side side, Upper& upper) {
+struct Beside {
+  Vector3d normal = Vector3d::Zero(), centre = Vector3d::Zero();
+  double offset = 0.0;
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
+};
+
+// The face's plane that leaves the arm beyond it and the leg, stretched down from its hip, farthest on this side; and the box.
+Beside beside(const Model& model, Side side, const Upper& upper) {
   const Vector3d hip = model.hip(side), foot = hip + model.leg().thigh + model.leg().shin + model.sole(side);
+  std::vector<collision::Box> arm;
+  for (const Upper::Part& part : upper.parts)
+    if (part.body > 0 && (part.body - 1) % 2 == index_of(side)) arm.push_back(part.box);
+  Beside out;
+  out.offset = 1e9;  // no arm: the plane is far away
+  if (arm.empty()) return out;
+  const auto extent = [&](const Vector3d& n) {
+    double least = 1e9;
+    for (const collision::Box& box : arm) least = std::min(least, least_along(box, n));
+    return least;
+  };
   double best = -1e9;
-  const auto is_arm = [&](const Upper::Part& part) { return part.body > 0 && (part.body - 1) % 2 == index_of(side); };
-  for (const Upper::Part& of : upper.parts) {
-    if (!is_arm(of)) continue;
+  for (const collision::Box& box : arm)
     for (int k = 0; k < 6; ++k) {
-      const Vector3d n = (k < 3 ? 1.0 : -1.0) * of.box.pose.linear().col(k % 3);
-      double offset = 1e9;
-      for (const Upper::Part& part : upper.parts)
-        if (is_arm(part)) offset = std::min(offset, least_along(part.box, n));
-      const double room = offset - std::max(n.dot(hip), n.dot(foot));
+      const Vector3d n = (k < 3 ? 1.0 : -1.0) * box.pose.linear().col(k % 3);
+      const double offset = extent(n), room = offset - std::max(n.dot(hip), n.dot(foot));
       if (room <= best) continue;
       best = room;
-      upper.normal[index_of(side)] = n;
-      upper.offset[index_of(side)] = offset;
+      out.normal = n;
+      out.offset = offset;
     }
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d n = arm[0].pose.linear().col(k);
+    const double low = extent(n), high = -extent(-n);
+    out.centre += 0.5 * (low + high) * n;
+    out.axes.col(k) = 0.5 * (high - low) * n;
   }
+  return out;
 }
 
 }  // namespace
@@ -47,7 +62,7 @@ void choose_plane(const Model& model, Side side, Upper& upper) {
 Upper upper_of(const Model& model, const Arms& arms, double clearance) {
   Upper out;
   out.arms = arms;
-  std::array<Isometry3d, kArmJoints + 1> frames;
+  auto& frames = out.frames;
   frames[0] = Isometry3d::Identity();
   out.lowest = 1e9;
   for (std::size_t b = 0; b <= kArmJoints; ++b) {
@@ -67,7 +82,11 @@ Upper upper_of(const Model& model, const Arms& arms, double clearance) {
     }
     if (b == 0) out.torso_parts = out.parts.size();
   }
-  for (const Side side : {Side::kRight, Side::kLeft}) choose_plane(model, side, out);
+  const Beside right = beside(model, Side::kRight, out), left = beside(model, Side::kLeft, out);
+  out.arm_plane = lanes(right.normal, left.normal);
+  out.arm_offset = Lanes{right.offset, left.offset};
+  out.arm_centre = lanes(right.centre, left.centre);
+  for (int k = 0; k < 3; ++k) out.arm_axes[static_cast<std::size_t>(k)] = lanes(right.axes.col(k), left.axes.col(k));
   out.apart = apart(model, out, clearance);
   return out;
 }

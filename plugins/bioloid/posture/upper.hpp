@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "bioloid/model/model.hpp"
+#include "bioloid/posture/lanes.hpp"
 #include "collision/distance.hpp"
 
 namespace foothold::bioloid {
@@ -19,14 +19,18 @@ struct Upper {
     collision::Box box;
   };
   Arms arms = Arms::Zero();
-  std::vector<Part> parts;  // torso first, then arms
+  std::array<Isometry3d, kArmJoints + 1> frames;  // of torso and arms
+  std::vector<Part> parts;                        // torso first, then arms
   std::size_t torso_parts = 0;
   Vector3d moment = Vector3d::Zero();  // kg m about the pelvis
   double lowest = 0.0;                 // m, of the torso alone
   double reach = 0.0;                  // m, from the pelvis to the farthest corner
-  // A plane for each arm that has all of it beyond: normal . p >= offset. Chosen as far from the legs as can be.
-  std::array<Vector3d, 2> normal{Vector3d::Zero(), Vector3d::Zero()};
-  std::array<double, 2> offset{0.0, 0.0};
+  // Beside each arm a plane that has all of it beyond: arm_plane . p >= arm_offset. As far from its leg as can be.
+  Lanes3 arm_plane{};
+  Lanes arm_offset{};
+  // A box round each arm: centre, and axes as long as the half edges.
+  Lanes3 arm_centre{};
+  std::array<Lanes3, 3> arm_axes{};
   bool apart = true;  // no two of these bodies are nearer than the clearance
 };
 
