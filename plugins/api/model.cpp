@@ -20,4 +20,12 @@ double RobotModel::number(std::string_view path, std::string_view unit) const { 
 
 bool RobotModel::has(std::string_view path) const { return quantities_.find(path) != quantities_.end(); }
 
+const std::string& RobotModel::text(std::string_view path) const {
+  const auto found = texts_.find(path);
+  if (found == texts_.end()) throw InvalidModel(std::string(path), "is missing");
+  return found->second;
+}
+
+bool RobotModel::has_text(std::string_view path) const { return texts_.find(path) != texts_.end(); }
+
 }  // namespace foothold

@@ -4,6 +4,9 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <string_view>
@@ -21,6 +24,7 @@ struct Unit {
 constexpr int kDeepest = 16;
 constexpr std::size_t kMostQuantities = 10000;
 
+constexpr std::uintmax_t kLongestText = 4 << 20;  // octets
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr Unit kUnits[] = {{"m", "m", 1.0},         {"cm", "m", 0.01},
                            {"mm", "m", 0.001},      {"rad", "rad", 1.0},
@@ -38,9 +42,9 @@ class ModelReader {
  public:
   explicit ModelReader(const std::string& file) : file_(file) {}
 
-  std::map<std::string, Quantity, std::less<>> read(const YAML::Node& model) {
+  RobotModel read(const YAML::Node& model) {
     walk(model, "", 0);
-    return std::move(quantities_);
+    return RobotModel(std::move(quantities_), std::move(texts_));
   }
 
  private:
@@ -50,6 +54,10 @@ class ModelReader {
 
   void walk(const YAML::Node& node, const std::string& path, int depth) {
     if (depth > kDeepest) fail(node, path, "is nested deeper than " + std::to_string(kDeepest) + " levels");
+    if (path == "urdf") {
+      if (!texts_.emplace(path, named_file(node, path)).second) fail(node, path, "is given twice");
+      return;
+    }
     if (!node.IsMap()) fail(node, path, "must be a map of quantities, or {value: ..., unit: ..., source: ...}");
     if (node["value"]) {
       if (!quantities_.emplace(path, leaf(node, path)).second) fail(node, path, "is given twice");
@@ -60,6 +68,20 @@ class ModelReader {
       const auto key = entry.first.as<std::string>();
       walk(entry.second, path.empty() ? key : path + "." + key, depth + 1);
     }
+  }
+
+  std::string named_file(const YAML::Node& node, const std::string& path) const {
+    namespace fs = std::filesystem;
+    if (!node.IsScalar() || node.Scalar().empty()) fail(node, path, "must be the name of a file");
+    const fs::path file = fs::path(file_).parent_path() / node.Scalar();
+    std::error_code error;
+    // What is no plain file may never end.
+    if (!fs::is_regular_file(file, error)) fail(node, path, "is no file: " + file.string());
+    if (fs::file_size(file, error) > kLongestText || error) fail(node, path, "must be a file of at most 4 MiB: " + file.string());
+    std::ifstream in(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (!in || text.empty()) fail(node, path, "cannot be read or is empty: " + file.string());
+    return text;
   }
 
   Quantity leaf(const YAML::Node& node, const std::string& path) const {
@@ -111,6 +133,7 @@ class ModelReader {
 
   const std::string& file_;
   std::map<std::string, Quantity, std::less<>> quantities_;
+  std::map<std::string, std::string, std::less<>> texts_;
 };
 
 }  // namespace
@@ -123,7 +146,7 @@ RobotModel load_robot_model(const std::string& path) {
     const YAML::Node root = YAML::LoadFile(path);
     if (!root.IsMap()) throw FileError(path, 1, "", "must be a map with the keys robot, plugin, model");
     if (!root["model"]) throw FileError(path, root.Mark().line + 1, "model", "is missing");
-    return RobotModel(ModelReader(path).read(root["model"]));
+    return ModelReader(path).read(root["model"]);
   } catch (const YAML::BadFile&) {
     throw FileError(path, 0, "", "cannot be read");
   } catch (const YAML::Exception& fault) {

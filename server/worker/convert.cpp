@@ -100,11 +100,13 @@ Request to_request(const msg::PlanRequest& request, double budget_left) {
           .seed = request.seed()};
 }
 
-RobotModel to_model(const std::vector<frame::ModelEntry>& entries) {
+RobotModel to_model(const frame::Load& load) {
   std::map<std::string, Quantity, std::less<>> quantities;
-  for (const frame::ModelEntry& entry : entries)
+  for (const frame::ModelEntry& entry : load.model())
     quantities.insert_or_assign(entry.path(), Quantity{.values = entry.values(), .unit = entry.unit(), .source = entry.source()});
-  return RobotModel(std::move(quantities));
+  std::map<std::string, std::string, std::less<>> texts;
+  for (const frame::ModelText& text : load.texts()) texts.insert_or_assign(text.path(), text.text());
+  return RobotModel(std::move(quantities), std::move(texts));
 }
 
 msg::Step to_message(const Step& step) {

@@ -13,7 +13,7 @@
 namespace foothold::server {
 
 Request to_request(const msg::PlanRequest& request, double budget_left);
-RobotModel to_model(const std::vector<frame::ModelEntry>& entries);
+RobotModel to_model(const frame::Load& load);
 
 // Everything but request, index, margins and shapes.
 msg::Step to_message(const Step& step);

@@ -26,7 +26,7 @@ class Session {
       limit_memory(load.memory_limit());
       const PluginDescriptor& plugin = load_plugin(load.plugin_path());
       check_info(plugin.info);
-      planning_ = std::make_unique<Planning>(load.robot(), plugin, to_model(load.model()));
+      planning_ = std::make_unique<Planning>(load.robot(), plugin, to_model(load));
       frame::Ready ready;
       ready.info(describe_robot(load.robot(), plugin.info));
       channel_.send(frame::READY, 0, ready);

@@ -51,6 +51,11 @@ frame::Load Pool::load_frame() const {
     entry.unit(quantity.unit);
     entry.source(quantity.source);
   }
+  for (const auto& [path, text] : robot_.model.texts()) {
+    frame::ModelText& entry = load.texts().emplace_back();
+    entry.path(path);
+    entry.text(text);
+  }
   return load;
 }
 

@@ -4,7 +4,9 @@
 //     piston:
 //       retracted: {value: 103, unit: mm, source: "derived: ..."}
 //       limits:    {value: [-90, 90], unit: deg, source: assumed}
+//     urdf: robot.urdf
 //
+// `urdf` names a file of at most 4 MiB, relative to the robot's: its text travels with the model, for planners that read it.
 // Units mm, cm, m, deg, rad, g, kg, s, ms, N, Nm, m/s, rpm, rad/s, 1 are converted to SI (m, rad, kg, s, N, Nm, m/s, rad/s, 1).
 #pragma once
 

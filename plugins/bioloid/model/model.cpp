@@ -1,9 +1,12 @@
-// From the entries of config/robots/bioloid.yaml: one side, which the other mirrors, and the torso.
+// From the entries of config/robots/bioloid.yaml: the torso and one side, which the other mirrors; or from a URDF that stands
+// there.
 #include "bioloid/model/model.hpp"
 
+#include <cmath>
 #include <numeric>
 
 #include "bioloid/model/structure.hpp"
+#include "bioloid/model/urdf.hpp"
 #include "foothold/errors.hpp"
 
 namespace foothold::bioloid {
@@ -68,7 +71,9 @@ double Model::mass() const {
 
 Vector3d Model::sole(Side side) const { return over(side, ankle_to_sole); }
 
-Model Model::from_model(const RobotModel& file) {
+namespace {
+
+Model from_numbers(const RobotModel& file) {
   Model out;
   out.bodies[0].name = "torso";
   read_body(file, "torso", Side::kRight, out.bodies[0]);
@@ -79,17 +84,29 @@ Model Model::from_model(const RobotModel& file) {
       const std::string body = name_at(kOneSidesBodies, i);
       out.bodies[j + 1].name = (side == Side::kRight ? "r_" : "l_") + body;
       read_body(file, body, side, out.bodies[j + 1]);
-      const std::string held = "carrying." + name_at(kOneSide, i);
-      if (i >= 3) continue;
-      const double angle = file.number(held, "rad");
-      out.carrying[static_cast<int>(j)] = side == Side::kRight ? angle : mirrored(out.joints[j], angle);
     }
   out.ankle_to_sole = vector(file, "sole.centre");
+  complete(out, "joint.*");
+  return out;
+}
+
+}  // namespace
+
+Model Model::from_model(const RobotModel& file) {
+  Model out = file.has_text("urdf") ? read_urdf(file) : from_numbers(file);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double angle = file.number("carrying." + name_at(kOneSide, i), "rad");
+    for (const std::size_t j : {2 * i, 2 * i + 1}) {
+      const double held = j % 2 == 0 ? angle : mirrored(out.joints[j], angle);
+      if (!out.joints[j].limits.holds(held))
+        throw InvalidModel("carrying." + name_at(kOneSide, i), "is outside the limits of " + name_at(kJointNames, j));
+      out.carrying[static_cast<int>(j)] = held;
+    }
+  }
   const std::vector<double>& sole = file.numbers("sole.size", "m", 2);
   if (!(sole[0] > 0.0 && sole[1] > 0.0)) throw InvalidModel("sole.size", "must be above 0");
   out.sole_length = sole[0];
   out.sole_width = sole[1];
-  complete(out, "joint.*");
   return out;
 }
 

@@ -68,8 +68,8 @@ struct Model {
   // Bodies that are not judged against each other: joined by one joint, or by two whose axes meet. Symmetric; with itself too.
   bool neighbours(std::size_t a, std::size_t b) const { return neighbours_[a][b]; }
 
-  // Throws InvalidModel with the entry's path: something missing, not of the structure above (axes that do not meet in the hip or
-  // the ankle, legs that are not mirrored).
+  // Numbers, or `urdf` (model/urdf.hpp). Throws InvalidModel with the entry's path: something missing, not of the structure above
+  // (axes that do not meet in the hip or the ankle, legs that are not mirrored).
   static Model from_model(const RobotModel& model);
 
   kinematics::BipedLeg leg_;

@@ -17,7 +17,7 @@ void take(const server::Frame& frame) {
     case frame::LOAD:
       if (const auto load = msg::decode<frame::Load>(frame.payload)) {
         try {
-          server::to_model(load->model());
+          server::to_model(*load);
         } catch (const InvalidModel&) {
         }
       }

@@ -1,4 +1,5 @@
 // config/robots/*.yaml to numbers in SI: units, and every refusal with file, line and field.
+#include "foothold/errors.hpp"
 #include "foothold/robot_file.hpp"
 
 #include <gtest/gtest.h>
@@ -40,6 +41,27 @@ class RobotFile : public testing::Test {
 
   test::TemporaryFolder folder_;
 };
+
+TEST_F(RobotFile, TheTextOfAUrdfTravelsWithTheModel) {
+  std::ofstream(folder_ / "two legs.urdf") << "<robot/>";
+  const RobotModel model = load("model:\n  urdf: two legs.urdf\n  l: {value: 1, unit: m, source: paper}\n");
+  EXPECT_EQ(model.text("urdf"), "<robot/>");
+  EXPECT_TRUE(model.has_text("urdf"));
+  EXPECT_EQ(model.number("l", "m"), 1.0);
+  EXPECT_FALSE(load("model:\n  l: {value: 1, unit: m, source: paper}\n").has_text("urdf"));
+  EXPECT_THROW(load("model:\n  l: {value: 1, unit: m, source: paper}\n").text("urdf"), InvalidModel);
+
+  std::ofstream(folder_ / "empty.urdf");
+  std::ofstream(folder_ / "long.urdf") << std::string((4 << 20) + 1, ' ');
+  expect_refusal("  urdf: none.urdf", "model.urdf", 2, "is no file");
+  expect_refusal("  urdf: .", "model.urdf", 2, "is no file");
+  expect_refusal("  urdf: /dev/zero", "model.urdf", 2, "is no file");
+  expect_refusal("  urdf: empty.urdf", "model.urdf", 2, "is empty");
+  expect_refusal("  urdf: long.urdf", "model.urdf", 2, "at most 4 MiB");
+  expect_refusal("  urdf: [a.urdf]", "model.urdf", 2, "must be the name of a file");
+  std::ofstream(folder_ / "full.urdf") << "<robot/>";
+  expect_refusal("  urdf: full.urdf\n  urdf: full.urdf", "model.urdf", 3, "is given twice");
+}
 
 TEST_F(RobotFile, EveryUnitIsConvertedToItsSiUnit) {
   struct Case {
