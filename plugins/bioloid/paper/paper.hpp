@@ -21,7 +21,7 @@ struct Options {
   bool trim = true;                    // the last trimming, by equal Cartesian positions
   std::size_t iterations = 1'000'000;  // at most
   int growth = 3;                      // stochastic: a hole is jumped by up to so many steps at once; 1: never
-  std::size_t patience = 400;          // stochastic: iterations of one way round an obstacle before there is "no advance"
+  std::size_t patience = 150;          // stochastic: iterations of one way round an obstacle before there is "no advance"
 };
 
 enum class Ending { kReached, kCapped, kStopped };

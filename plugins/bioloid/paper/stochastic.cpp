@@ -16,7 +16,8 @@
 // - While the farthest joint is blocked, the others underway go on: without that nothing would move where no joint has arrived.
 //   In order: all together; the farthest with the wandering ones; the farthest alone; the others with the wandering ones; the
 //   wandering ones alone. The first that is valid is done. Each one judged is an iteration.
-// - A random direction is kept while it can be followed, turned at a limit, drawn anew when nothing was valid (an iteration too).
+// - A random direction is kept while it can be followed, turned at a limit, and drawn anew for all wandering joints when nothing
+//   was valid (an iteration too): of the three choices of the random method, for some may have to stay, until the next iteration.
 // - "No advance is possible": a detour has lasted Options::patience iterations.
 // - Of approaches with equally many arrived joints, the one with fewer iterations left is nearer. One that is taken up again
 //   without a better one since is a dead end, into which the rules would lead for ever: it loses its last 1, 2, 4, ... points,
@@ -105,18 +106,21 @@ class Search {
     const int joint = farthest();
     const double kept = here()[joint];
     const std::size_t begin = plan_.iterations;
-    Directions wander = Directions::Zero(space_.dimension());
+    Wandering set(space_.dimension());
     while (plan_.iterations < begin + options_.patience && may_go_on()) {
-      set_wandering(wander, joint);
+      for (int k = 0; k < space_.dimension(); ++k)
+        if (k != joint && (arrived(k) || set.wanders[k] != 0)) start_to_wander(set, k);
+      turn_at_limits(set);
+      const Directions& wander = set.way;
       const Directions towards = towards_goal();
       Directions farthest_only = Directions::Zero(space_.dimension()), others = towards;
       farthest_only[joint] = towards[joint];
       others[joint] = 0;
       for (int k = 0; k < wander.size(); ++k)
-        if (wander[k] != 0) others[k] = 0;
+        if (set.wanders[k] != 0) others[k] = 0;
       const Directions together[] = {farthest_only + others + wander, farthest_only + wander, farthest_only, others + wander,
                                      wander};
-      if (!go_first_of(together)) draw_again(wander);
+      if (!go_first_of(together)) draw_again(set);
       if (here()[joint] != kept) return true;
     }
     return false;
@@ -131,25 +135,34 @@ class Search {
     return false;
   }
 
-  int drawn_direction() { return (random_() & 1) != 0 ? 1 : -1; }
+  struct Wandering {
+    explicit Wandering(int dimension) : wanders(Directions::Zero(dimension)), way(Directions::Zero(dimension)) {}
+    Directions wanders;  // 1: this joint
+    Directions way;
+  };
 
-  void draw_again(Directions& wander) {
-    ++plan_.iterations;  // so that a detour ends on which nothing is left to be judged
-    for (int k = 0; k < wander.size(); ++k)
-      if (wander[k] != 0) wander[k] = drawn_direction();
+  int one_of_three() { return static_cast<int>(random_() % 3) - 1; }
+
+  // A joint that stays is drawn anew every time, or it might stay for ever while others move.
+  void start_to_wander(Wandering& set, int joint) {
+    if (set.wanders[joint] == 0) set.way[joint] = (random_() & 1) != 0 ? 1 : -1;
+    if (set.wanders[joint] != 0 && set.way[joint] == 0) set.way[joint] = one_of_three();
+    set.wanders[joint] = 1;
   }
 
-  // What has arrived starts to move; what moves already keeps its direction, or turns round at its limit.
-  void set_wandering(Directions& wander, int farthest_joint) {
+  void draw_again(Wandering& set) {
+    ++plan_.iterations;  // so that a detour ends on which nothing is left to be judged
+    for (int k = 0; k < set.way.size(); ++k)
+      if (set.wanders[k] != 0) set.way[k] = one_of_three();
+  }
+
+  void turn_at_limits(Wandering& set) const {
     const auto leaves = [&](int k, int direction) {
       const double next = here()[k] + direction * space_.step[k];
       return next < space_.low[k] || next > space_.high[k];
     };
-    for (int k = 0; k < wander.size(); ++k) {
-      if (k == farthest_joint) continue;
-      if (wander[k] == 0 && arrived(k)) wander[k] = drawn_direction();
-      if (wander[k] != 0 && leaves(k, wander[k])) wander[k] = leaves(k, -wander[k]) ? 0 : -wander[k];
-    }
+    for (int k = 0; k < set.way.size(); ++k)
+      if (set.way[k] != 0 && leaves(k, set.way[k])) set.way[k] = leaves(k, -set.way[k]) ? 0 : -set.way[k];
   }
 
   // Rule 5.
@@ -174,13 +187,12 @@ class Search {
 
   void wander_before_advancing(std::size_t iterations) {
     const int joint = farthest();
-    Directions wander = Directions::Zero(space_.dimension());
+    Wandering set(space_.dimension());
     for (std::size_t k = 0; k < iterations && may_go_on(); ++k) {
-      for (int other = 0; other < wander.size(); ++other)
-        if (other != joint && wander[other] == 0) wander[other] = drawn_direction();
-      set_wandering(wander, joint);
-      if (wander.isZero()) return;
-      if (!go(advanced(space_, here(), goal_, wander))) draw_again(wander);
+      for (int other = 0; other < space_.dimension(); ++other)
+        if (other != joint) start_to_wander(set, other);
+      turn_at_limits(set);
+      if (set.way.isZero() || !go(advanced(space_, here(), goal_, set.way))) draw_again(set);
     }
   }
 

@@ -109,14 +109,20 @@ class Play {
     }
   }
 
-  void move(const VectorXd& from, const VectorXd& to, Walked& out) {
-    const double seconds = (to - from).cwiseAbs().maxCoeff() / options_.speed;
-    const int cycles = static_cast<int>(std::ceil(seconds / kControl));
+  // Targets every cycle of the servo bus, between the postures on both sides.
+  void follow(const std::vector<TimedPosture>& motion, Walked& out) {
+    const double begin = motion.front().time;
+    out.time = motion.back().time - begin;
+    const int cycles = static_cast<int>(std::ceil(out.time / kControl));
+    std::size_t next = 1;
     for (int k = 1; k <= cycles; ++k) {
-      aim(from + static_cast<double>(k) / cycles * (to - from));
+      const double now = begin + std::min(k * kControl, out.time);
+      while (next + 1 < motion.size() && motion[next].time < now) ++next;
+      const TimedPosture &from = motion[next - 1], &to = motion[next];
+      const double part = to.time > from.time ? std::min(1.0, (now - from.time) / (to.time - from.time)) : 1.0;
+      aim(from.joints + part * (to.joints - from.joints));
       run(kControl, out);
     }
-    out.time += cycles * kControl;
   }
 
   void finish(Walked& out) {
@@ -166,15 +172,26 @@ bool stands_at(const Walked& walked, const Isometry3d& goal, double distance, do
 
 Walked walk(const Walker& walker, const std::vector<int>& feet, const Isometry3d& base, const JointPath& path,
             const WalkOptions& options) {
-  if (path.empty()) throw std::runtime_error("a walk needs a posture to begin with");
-  for (const VectorXd& posture : path)
-    if (static_cast<std::size_t>(posture.size()) + 1 != walker.links.size())
-      throw std::runtime_error("a posture of " + std::to_string(posture.size()) + " joints for a walker of " +
+  std::vector<TimedPosture> motion;
+  for (const VectorXd& posture : path) {
+    const bool comparable = !motion.empty() && posture.size() == motion.back().joints.size() && posture.size() > 0;
+    const double way = comparable ? (posture - motion.back().joints).cwiseAbs().maxCoeff() : 0.0;
+    motion.push_back({(motion.empty() ? 0.0 : motion.back().time) + way / options.speed, posture});
+  }
+  return walk(walker, feet, base, motion, options);
+}
+
+Walked walk(const Walker& walker, const std::vector<int>& feet, const Isometry3d& base, const std::vector<TimedPosture>& motion,
+            const WalkOptions& options) {
+  if (motion.empty()) throw std::runtime_error("a walk needs a posture to begin with");
+  for (const TimedPosture& posture : motion)
+    if (static_cast<std::size_t>(posture.joints.size()) + 1 != walker.links.size())
+      throw std::runtime_error("a posture of " + std::to_string(posture.joints.size()) + " joints for a walker of " +
                                std::to_string(walker.links.size() - 1));
   Walked out;
-  Play play(walker, feet, base, path.front(), options);
+  Play play(walker, feet, base, motion.front().joints, options);
   play.run(options.settling, out);
-  for (std::size_t k = 1; k < path.size(); ++k) play.move(path[k - 1], path[k], out);
+  play.follow(motion, out);
   play.run(options.rest, out);
   play.finish(out);
   return out;

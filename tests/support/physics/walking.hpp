@@ -57,6 +57,10 @@ struct WalkOptions {
 
 // Joint angles one after the other; straight in the joints between them.
 using JointPath = std::vector<VectorXd>;
+struct TimedPosture {
+  double time = 0.0;  // s, of the motion; ascending
+  VectorXd joints;
+};
 
 struct Walked {
   Isometry3d base = Isometry3d::Identity();  // at the end, world
@@ -80,6 +84,8 @@ bool stands_at(const Walked& walked, const Isometry3d& goal, double distance, do
 // the plane z = 0.
 // Throws std::runtime_error for a walker that MuJoCo refuses, or postures of another number of joints.
 Walked walk(const Walker& walker, const std::vector<int>& feet, const Isometry3d& base, const JointPath& path,
+            const WalkOptions& options = {});
+Walked walk(const Walker& walker, const std::vector<int>& feet, const Isometry3d& base, const std::vector<TimedPosture>& motion,
             const WalkOptions& options = {});
 
 }  // namespace foothold::physics

@@ -74,9 +74,23 @@ TEST(Walking, SaysWhichLinksTouchEachOther) {
   EXPECT_EQ(walk(walker, {0}, kOnTheFloor, {VectorXd::Zero(1), VectorXd::Constant(1, 0.6)}).touching, "");
 }
 
+TEST(Walking, AMotionTakesItsOwnTimesAndItsPosturesBetweenThem) {
+  const std::vector<TimedPosture> motion{
+      {2.0, VectorXd::Zero(1)}, {2.5, VectorXd::Constant(1, 0.2)}, {4.0, VectorXd::Constant(1, -0.1)}};
+  const Walked all = walk(mast(), {0}, kOnTheFloor, motion),
+               half = walk(mast(), {0}, kOnTheFloor, {motion.begin(), motion.end() - 1});
+  const auto angle = [](const Walked& walked) {
+    return std::asin((walked.links[0].linear().transpose() * walked.links[1].linear())(0, 2));
+  };
+  EXPECT_NEAR(all.time, 2.0, 1e-9);
+  EXPECT_NEAR(half.time, 0.5, 1e-9);
+  EXPECT_NEAR(angle(half), 0.2, 0.005);
+  EXPECT_NEAR(angle(all), -0.1, 0.005);
+}
+
 TEST(Walking, RefusesPosturesOfAnotherRobot) {
   EXPECT_THROW(walk(mast(), {0}, kOnTheFloor, {VectorXd::Zero(2)}), std::runtime_error);
-  EXPECT_THROW(walk(mast(), {0}, kOnTheFloor, {}), std::runtime_error);
+  EXPECT_THROW(walk(mast(), {0}, kOnTheFloor, JointPath{}), std::runtime_error);
 }
 
 }  // namespace

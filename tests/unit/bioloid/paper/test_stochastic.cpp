@@ -126,6 +126,16 @@ TEST(Stochastic, GetsOutOfAPocket) {
   }
 }
 
+// All joints that wander move at once: where one of them must not, it has to be let stay.
+TEST(Stochastic, AWanderingJointMayHaveToStay) {
+  const Space space = grid(point({6, 10, 4}), [](const Point& at) { return (at.y() != 5.0 || at.x() == 0.0) && at.z() == 2.0; });
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Plan found = found_in(space, point({3, 9, 2}), point({3, 1, 2}), seed, {.trim = false, .iterations = 5000, .growth = 1});
+    ASSERT_EQ(found.ending, Ending::kReached);
+    expect_valid(space, found.path, point({3, 9, 2}), point({3, 1, 2}));
+  }
+}
+
 TEST(Stochastic, TheSameSeedFindsTheSamePath) {
   const Space space = wall_with_gap();
   const auto path = [&](std::uint64_t seed) { return found_in(space, point({3, 9}), point({3, 1}), seed).path; };
