@@ -77,8 +77,8 @@ TEST(Walking, SaysWhichLinksTouchEachOther) {
 TEST(Walking, AMotionTakesItsOwnTimesAndItsPosturesBetweenThem) {
   const std::vector<TimedPosture> motion{
       {2.0, VectorXd::Zero(1)}, {2.5, VectorXd::Constant(1, 0.2)}, {4.0, VectorXd::Constant(1, -0.1)}};
-  const Walked all = walk(mast(), {0}, kOnTheFloor, motion),
-               half = walk(mast(), {0}, kOnTheFloor, {motion.begin(), motion.end() - 1});
+  const std::vector<TimedPosture> beginning(motion.begin(), motion.end() - 1);
+  const Walked all = walk(mast(), {0}, kOnTheFloor, motion), half = walk(mast(), {0}, kOnTheFloor, beginning);
   const auto angle = [](const Walked& walked) {
     return std::asin((walked.links[0].linear().transpose() * walked.links[1].linear())(0, 2));
   };
