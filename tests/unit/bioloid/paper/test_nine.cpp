@@ -1,6 +1,7 @@
 // The stochastic method in nine joints: a single support of the paper's step.
 #include <gtest/gtest.h>
 
+#include "bioloid/paper/nine_trials.hpp"
 #include "nine_cases.hpp"
 #include "spaces.hpp"
 
@@ -82,6 +83,37 @@ TEST(NineJoints, FromGroundToGroundTheRandomRulesFindAWay) {
     EXPECT_GT(trial.error_variance, 0.0);
   }
   EXPECT_GE(reached, 2);
+}
+
+TEST(NineJoints, TheBestOfSeveralTrialsIsAMotionOfAllJoints) {
+  const NineCase shown = nine_case(kOffGround);
+  Judge judge(shipped_model(), {});
+  std::mt19937_64 random(3);
+  const NineTrials found = nine_trials(shipped_model(), judge, shown.support, shown.from, shown.to, {.step = kDegree},
+                                       {.iterations = 100'000}, 4, Choice::kLeastError, random);
+  ASSERT_EQ(found.trials.size(), 4u);
+  ASSERT_TRUE(found.best);
+  for (const Trial& trial : found.trials) {
+    if (trial.plan.ending == Ending::kReached) {
+      EXPECT_GE(trial.mean_error, found.trials[*found.best].mean_error);
+    }
+  }
+  EXPECT_EQ(found.postures.size(), found.trials[*found.best].plan.path.size());
+  EXPECT_LT((found.postures.front() - shown.from).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((found.postures.back() - shown.to).cwiseAbs().maxCoeff(), 1e-9);
+  for (const Joints& joints : found.postures) EXPECT_EQ(judge.posture(joints, shown.support), Fault::kNone);
+}
+
+TEST(NineJoints, BetweenPosturesThatAreNotValidThereAreNoTrials) {
+  const NineCase shown = nine_case(kCarried);
+  Judge judge(shipped_model(), {});
+  Joints falls = shown.to;
+  falls[static_cast<int>(leg_joint(Side::kRight, 1))] += 0.5;  // leans sideways
+  std::mt19937_64 random(3);
+  const NineTrials found =
+      nine_trials(shipped_model(), judge, shown.support, shown.from, falls, {}, {}, 4, Choice::kLeastError, random);
+  EXPECT_TRUE(found.trials.empty());
+  EXPECT_FALSE(found.best);
 }
 
 TEST(NineJoints, WithAnotherHeadingThereAreTen) {
