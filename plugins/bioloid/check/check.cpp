@@ -39,7 +39,16 @@ class StepCheck {
     posture(step_.after, feet_.to, "the posture after");
     read_motion();
     for (std::size_t i = 0; i < points_.size(); ++i) point(i);
-    for (std::size_t i = 1; i < points_.size(); ++i) line(i);
+    for (std::size_t i = 1; i < points_.size(); ++i) lines_.push_back(line(i));
+    Distances distances(judged_);
+    distances.next(points_[0].instant, points_[0].time, nullptr, &lines_[0], seen_);
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      const Line& before = lines_[i - 1];
+      const Support support(model_, before.stands);
+      for (const Point* end : {&points_[i - 1], &points_[i]}) balanced(*end, support);
+      distances.next(points_[i].instant, points_[i].time, &before, i + 1 < points_.size() ? &lines_[i] : nullptr, seen_);
+      prove(judged_, before, support, distances.open(), seen_);
+    }
     return margins();
   }
 
@@ -132,7 +141,8 @@ class StepCheck {
              " neither stands at its old or new place nor is above the ground: its lowest corner is at ", height, " m");
   }
 
-  void line(std::size_t i) {
+  // From point i - 1 to i.
+  Line line(std::size_t i) const {
     const Point &a = points_[i - 1], &b = points_[i];
     std::optional<Isometry3d> stands;
     if (a.old && b.old)
@@ -142,10 +152,18 @@ class StepCheck {
     else if ((a.old || a.now) && (b.old || b.now))
       refuse("from ", a.time, " s to ", b.time, " s: ", name_at(kLimbs, index_of(judged_.moving)),
              " changes its place without a point in the air");
-    const Support support(model_, stands);
-    look(judged_, a.instant, support, a.time, seen_);
-    look(judged_, b.instant, support, b.time, seen_);
-    prove(judged_, {a.joints, b.joints, a.time, b.time, stands}, support, seen_);
+    Line out = line_between(judged_, a.joints, b.joints);
+    out.begin = a.time;
+    out.end = b.time;
+    out.stands = stands;
+    return out;
+  }
+
+  void balanced(const Point& at, const Support& support) {
+    const double margin = support.margin(at.instant.centre_of_mass);
+    seen_.balance = std::min(seen_.balance, margin);
+    if (margin < options_.balance - judge::kPoseTolerance)
+      refuse("at ", at.time, " s: the centre of mass is ", margin, " m inside the soles' hull, less than ", options_.balance, " m");
   }
 
   std::vector<Margin> margins() const {
@@ -170,6 +188,7 @@ class StepCheck {
   Surroundings surroundings_;
   Judged judged_;
   std::vector<Point> points_;
+  std::vector<Line> lines_;
   Seen seen_;
   double limits_ = HUGE_VAL, speed_ = 0.0;
 };

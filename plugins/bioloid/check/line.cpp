@@ -33,20 +33,11 @@ std::vector<Vector3d> corners_of(const Judged& judged) {
 class Proof {
  public:
   Proof(const Judged& judged, const Line& line, const Support& support, Seen& seen)
-      : judged_(judged),
-        line_(line),
-        support_(support),
-        seen_(seen),
-        change_(line.to - line.from),
-        rates_(judged.skeleton.rates(change_)),
-        corners_(corners_of(judged)) {}
+      : judged_(judged), line_(line), support_(support), seen_(seen), corners_(corners_of(judged)) {}
 
-  void run() {
+  void run(const std::vector<std::size_t>& open) {
     Open all;
-    for (const Surroundings::Item& item : judged_.surroundings.items()) {
-      const double slope = judged_.surroundings.slope(item, change_, rates_);
-      all.items.emplace_back(item, slope);
-    }
+    for (const std::size_t item : open) all.items.emplace_back(judged_.surroundings.items()[item], line_.slopes[item]);
     piece(0.0, 1.0, std::move(all));
   }
 
@@ -59,10 +50,10 @@ class Proof {
 
   void piece(double from, double to, Open open) {
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-    const Instant instant = judged_.skeleton.at(line_.from + middle * change_);
+    const Instant instant = judged_.skeleton.at(line_.from + middle * line_.change);
     const double time = line_.begin + middle * (line_.end - line_.begin);
     if (open.balance || open.foot) {
-      const Velocities velocities = judged_.skeleton.velocities(instant, change_);
+      const Velocities velocities = judged_.skeleton.velocities(instant, line_.change);
       if (open.balance) open.balance = !balanced(instant, velocities, half, time);
       if (open.foot) open.foot = !(line_.stands ? fast(instant, velocities, half, time) : above(instant, velocities, half, time));
     }
@@ -88,7 +79,7 @@ class Proof {
 
   bool balanced(const Instant& instant, const Velocities& velocities, double half, double time) {
     const Vector3d &at = instant.centre_of_mass, way = half * velocities.centre_of_mass;
-    const double here = support_.margin(at), off = 0.5 * half * half * rates_.centre_bend;
+    const double here = support_.margin(at), off = 0.5 * half * half * line_.rates.centre_bend;
     seen_.balance = std::min(seen_.balance, here);
     if (here < judged_.options.balance - 0.5 * kProof)
       refuse("at ", time, " s: the centre of mass is ", here, " m inside the soles' hull, less than ", judged_.options.balance,
@@ -108,13 +99,13 @@ class Proof {
       refuse("at ", time, " s: the standing ", name_at(kLimbs, index_of(judged_.moving)), " slips by ", off.norm(), " m and ",
              judge::turned(sole, *line_.stands), " rad, more than ", limit);
     const double bend = 0.5 * half * half;
-    const double moved = std::max((off - way).norm(), (off + way).norm()) + bend * rates_.bend[foot];
+    const double moved = std::max((off - way).norm(), (off + way).norm()) + bend * line_.rates.bend[foot];
     const double angle = turn.norm();
     const Vector3d axis = angle > 0.0 ? Vector3d(turn / angle) : Vector3d::UnitZ();
     double turned = 0.0;
     for (const double sense : {-1.0, 1.0})
       turned = std::max(turned, judge::turned(Eigen::AngleAxisd(sense * angle, axis) * sole, *line_.stands));
-    return moved <= limit + kProof && turned + bend * rates_.turn_bend[foot] <= limit + kProof;
+    return moved <= limit + kProof && turned + bend * line_.rates.turn_bend[foot] <= limit + kProof;
   }
 
   // The other sole is above the ground.
@@ -131,15 +122,13 @@ class Proof {
     if (here < -judged_.options.ground - 0.5 * kProof)
       refuse("at ", time, " s: the moving ", name_at(kLimbs, index_of(judged_.moving)), " is ", -here,
              " m below the ground, more than ", judged_.options.ground, " m");
-    return least - 0.5 * half * half * rates_.bend[foot] >= -judged_.options.ground - kProof;
+    return least - 0.5 * half * half * line_.rates.bend[foot] >= -judged_.options.ground - kProof;
   }
 
   const Judged& judged_;
   const Line& line_;
   const Support& support_;
   Seen& seen_;
-  Joints change_;
-  Rates rates_;
   std::vector<Vector3d> corners_;
 };
 
@@ -177,21 +166,37 @@ Isometry3d other_sole(const Judged& judged, const Instant& instant) {
   return instant.moved[foot_of(judged.moving)] * Eigen::Translation3d(judged.skeleton.sole(judged.moving));
 }
 
-void look(const Judged& judged, const Instant& instant, const Support& support, double time, Seen& seen) {
-  for (const Surroundings::Item& item : judged.surroundings.items()) {
-    const double found = judged.surroundings.distance(instant, item, std::max(judged.options.clearance, seen.clearance));
-    seen.clearance = std::min(seen.clearance, found);
-    if (found < judged.options.clearance - kClearanceProof)
-      refuse("at ", time, " s: ", judged.surroundings.names(item), " are ", found, " m apart, less than ", judged.options.clearance,
-             " m");
-  }
-  const double balance = support.margin(instant.centre_of_mass);
-  seen.balance = std::min(seen.balance, balance);
-  if (balance < judged.options.balance - kProof)
-    refuse("at ", time, " s: the centre of mass is ", balance, " m inside the soles' hull, less than ", judged.options.balance,
-           " m");
+Line line_between(const Judged& judged, const Joints& from, const Joints& to) {
+  Line line{from, to - from, 0.0, 0.0, std::nullopt, {}, {}};
+  line.rates = judged.skeleton.rates(line.change);
+  for (const Surroundings::Item& item : judged.surroundings.items())
+    line.slopes.push_back(judged.surroundings.slope(item, line.change, line.rates));
+  return line;
 }
 
-void prove(const Judged& judged, const Line& line, const Support& support, Seen& seen) { Proof(judged, line, support, seen).run(); }
+Distances::Distances(const Judged& judged) : judged_(judged), bounds_(judged.surroundings.items().size(), 0.0) {}
+
+void Distances::next(const Instant& instant, double time, const Line* before, const Line* after, Seen& seen) {
+  constexpr double kReserve = 0.01;  // m, looked further than needed, so that the next points need not
+  const double demanded = judged_.options.clearance;
+  open_.clear();
+  for (std::size_t i = 0; i < bounds_.size(); ++i) {
+    const double came = before ? before->slopes[i] : 0.0, leaves = after ? after->slopes[i] : 0.0;
+    const double needed = std::max(demanded + 0.5 * std::max(came, leaves), seen.clearance), old = bounds_[i];
+    bounds_[i] = before ? old - came : 0.0;
+    if (bounds_[i] < needed) {
+      const Surroundings::Item& item = judged_.surroundings.items()[i];
+      bounds_[i] = judged_.surroundings.distance(instant, item, needed + kReserve);
+      seen.clearance = std::min(seen.clearance, bounds_[i]);
+      if (bounds_[i] < demanded - kClearanceProof)
+        refuse("at ", time, " s: ", judged_.surroundings.names(item), " are ", bounds_[i], " m apart, less than ", demanded, " m");
+    }
+    if (before && 0.5 * (old + bounds_[i] - came) < demanded) open_.push_back(i);
+  }
+}
+
+void prove(const Judged& judged, const Line& line, const Support& support, const std::vector<std::size_t>& open, Seen& seen) {
+  Proof(judged, line, support, seen).run(open);
+}
 
 }  // namespace foothold::bioloid::check

@@ -40,15 +40,32 @@ struct Judged {
 double lowest_corner(const Judged& judged, const Instant& instant);
 // Pose of the other sole, seen from the one that stands.
 Isometry3d other_sole(const Judged& judged, const Instant& instant);
-// Notes clearances at one instant; throws judge::Refusal for none.
-void look(const Judged& judged, const Instant& instant, const Support& support, double time, Seen& seen);
-
 struct Line {
-  Joints from, to;
+  Joints from, change;
   double begin = 0.0, end = 0.0;     // s
   std::optional<Isometry3d> stands;  // where the other sole stands; none: it is in the air
+  Rates rates;
+  std::vector<double> slopes;  // m, by which each of the surroundings' items can change along the line
 };
-// Throws judge::Refusal with the instant at which something is wrong.
-void prove(const Judged& judged, const Line& line, const Support& support, Seen& seen);
+Line line_between(const Judged& judged, const Joints& from, const Joints& to);
+
+// Lower bounds of the distances of all items at the motion's points, one point after the other: what is far stays far for a while.
+class Distances {
+ public:
+  explicit Distances(const Judged& judged);
+  // At the next point; `before` and `after`: the lines that meet there, null at the ends. Throws judge::Refusal for what is too
+  // near.
+  void next(const Instant& instant, double time, const Line* before, const Line* after, Seen& seen);
+  // Items whose distances at both ends of the line before do not show that they keep clear all along it.
+  const std::vector<std::size_t>& open() const { return open_; }
+
+ private:
+  const Judged& judged_;
+  std::vector<double> bounds_;
+  std::vector<std::size_t> open_;
+};
+
+// `open`: items that are still to be shown clear. Throws judge::Refusal with the instant at which something is wrong.
+void prove(const Judged& judged, const Line& line, const Support& support, const std::vector<std::size_t>& open, Seen& seen);
 
 }  // namespace foothold::bioloid::check

@@ -97,17 +97,18 @@ void Skeleton::find_pair(std::size_t a, std::size_t b) {
 
 Instant Skeleton::at(const Joints& joints) const {
   Instant out;
-  out.moved.fill(Isometry3d::Identity());
+  out.moved[links_.front().carrier].setIdentity();  // the foot that stands
+  out.boxes.reserve(first_box_.back());
   for (const Link& link : links_)
     out.moved[link.body] = out.moved[link.carrier] * kinematics::displacement(link.line, link.sign * joints[link.joint]);
   for (std::size_t body = 0; body < kBodies; ++body) {
     const Body& shape = model_.bodies[body];
     out.centre_of_mass += shape.mass * (out.moved[body] * (places_[body] + shape.centre_of_mass));
-    for (std::size_t i = 0; i < shape.boxes.size(); ++i) {
-      collision::Box& box = out.boxes[first_box_[body] + i];
+    for (const BodyBox& part : shape.boxes) {
+      collision::Box& box = out.boxes.emplace_back();
       box.pose.linear() = out.moved[body].linear();
-      box.pose.translation() = out.moved[body] * (places_[body] + shape.boxes[i].centre);
-      box.half = shape.boxes[i].half;
+      box.pose.translation() = out.moved[body] * (places_[body] + part.centre);
+      box.half = part.half;
     }
   }
   out.centre_of_mass /= mass_;

@@ -16,8 +16,8 @@ using Eigen::Matrix3d;
 
 // One instant, in the frame of the sole that stands.
 struct Instant {
-  std::array<Isometry3d, kBodies> moved;          // from where the zero pose has a body's points to where they are
-  std::array<collision::Box, 2 * kBodies> boxes;  // those of body b from first_box(b)
+  std::array<Isometry3d, kBodies> moved;  // from where the zero pose has a body's points to where they are
+  std::vector<collision::Box> boxes;      // those of body b from first_box(b)
   Vector3d centre_of_mass = Vector3d::Zero();
 };
 
