@@ -20,7 +20,7 @@
 namespace foothold::bioloid {
 
 struct Demands {
-  double clearance = 0.002;  // m, between bodies that are not neighbours, and to obstacles
+  double clearance = 0.002;  // m, between bodies that are not neighbours, to obstacles, and of all but feet to the ground
   double balance = 0.010;    // m, of the projected centre of mass inside the support polygon
   double ground = 2e-4;      // m, by which a sole that touches down may be lower than the ground
   double slip = 2e-4;        // m and rad, by which the second sole of a double support may be off its place

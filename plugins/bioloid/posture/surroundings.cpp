@@ -117,14 +117,14 @@ bool Judge::Inside::above_ground(const Snapshot& a, const Snapshot& b, const Ben
       return std::min(out[0], out[1]) - sole;
     };
     double out = least(true);
-    if (out < 0.0) out = least(false);
+    if (out < demands.clearance) out = least(false);
     // Torso and arms: a sphere round the pelvis; part by part only near the ground.
     const double stray = moving ? 0.125 * bends->upper : 0.0;
-    if (-at.upper->reach - stray < sole)
+    if (-at.upper->reach - stray < sole + demands.clearance)
       for (const Upper::Part& part : at.upper->parts) out = std::min(out, least_along(part.box, up) - stray - sole);
     return out;
   };
-  if (!(lowest(a) >= 0.0) || (moving && !(lowest(b) >= 0.0))) return false;
+  if (!(lowest(a) >= demands.clearance) || (moving && !(lowest(b) >= demands.clearance))) return false;
   if (ground.support.both) return true;
   // The swing sole's corners.
   const auto corners = [&](const Snapshot& at) {

@@ -68,7 +68,8 @@ Figures figures(const Model& model, const Joints& joints, const Support& support
 }
 
 double room(const Figures& f, const Demands& demands, bool both) {
-  double least = std::min({f.self - demands.clearance, f.obstacles - demands.clearance, f.bodies, f.balance - demands.balance});
+  double least = std::min(
+      {f.self - demands.clearance, f.obstacles - demands.clearance, f.bodies - demands.clearance, f.balance - demands.balance});
   least = std::min(least, both ? demands.slip - f.slip : f.sole + demands.ground);
   return f.within_limits ? least : -1.0;
 }

@@ -56,8 +56,8 @@ TEST(BioloidJudge, AgreesWithExactDistancesOnAnyPosture) {
     Support support;
     support.foot = i % 2 ? Side::kLeft : Side::kRight;
     const Figures f = figures(model, joints, support);
-    if (std::abs(f.self - demands.clearance) < 1e-9 || std::abs(f.bodies) < 1e-9) continue;
-    const bool right = f.self > demands.clearance && f.bodies > 0.0;
+    if (std::abs(f.self - demands.clearance) < 1e-9 || std::abs(f.bodies - demands.clearance) < 1e-9) continue;
+    const bool right = f.self > demands.clearance && f.bodies > demands.clearance;
     ASSERT_EQ(judge.posture(joints, support) == Fault::kNone, right) << i << ": self " << f.self << " bodies " << f.bodies;
     (right ? good : bad) += 1;
   }
