@@ -27,7 +27,7 @@ constexpr std::uint32_t kDomain = 24;
 const bool kLong = std::getenv("FOOTHOLD_LONG") != nullptr;
 // How long an attack goes on after all attackers have begun, s. A permitted reader, which comes at the same time, must have read
 // something by then.
-const double kDuration = kLong ? 30.0 : 5.0;
+const double kDuration = kLong ? 30.0 : 4.0;
 
 // One server with two clients, one of each vendor, each with a plan that goes on; attackers around them.
 class Siege {
