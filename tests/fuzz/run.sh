@@ -39,7 +39,7 @@ for target; do
   set -- "$corpus" "$seeds/$target"
   [ -d "$past" ] && set -- "$@" "$past"
   # Malloc of what a length field promises is refused by bad_alloc, not by the fuzzer's own limit.
-  "$fuzz/bin/fuzz_$target" "$limit" -max_len=20480 -len_control=200 -timeout=20 -rss_limit_mb=3000 -malloc_limit_mb=0 \
+  "$fuzz/bin/fuzz_$target" "$limit" -max_len=8192 -timeout=20 -rss_limit_mb=3000 -malloc_limit_mb=0 \
       -print_final_stats=1 -artifact_prefix="$fuzz/findings/$target-" "$@" >"$log" 2>&1 || { result="FOUND, see $log"; status=1; }
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
   rate=$(sed -n 's/^stat::average_exec_per_sec: *//p' "$log")

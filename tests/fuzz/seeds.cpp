@@ -8,20 +8,22 @@
 #include <fstream>
 #include <iostream>
 
+#include "certificate.hpp"
 #include "foothold/client/plan_file.hpp"
 #include "foothold/client/whole_file.hpp"
 #include "foothold/msg/cdr.hpp"
 #include "frames/frames.hpp"
 #include "journal/entry.hpp"
 #include "random_message.hpp"
+#include "signing.hpp"
 
 namespace {
 
 using namespace foothold;
 namespace fs = std::filesystem;
 
-constexpr int kEach = 12;                    // messages of a kind
-constexpr std::size_t kLargest = 20u << 10;  // octets: a larger seed makes each run slow and finds no more
+constexpr int kEach = 12;                   // messages of a kind
+constexpr std::size_t kLargest = 8u << 10;  // octets: a larger seed makes each run slow and finds no more
 constexpr test::RandomLimits kSmall{3, 8};
 
 class Seeds {
@@ -154,6 +156,27 @@ void add_journals(Seeds& seeds) {
   }
 }
 
+void add_credentials(Seeds& seeds) {
+  security::Key key = security::new_key();
+  const auto text = [](char kind, const std::string& pem) { return std::string(1, kind) + pem; };
+  seeds.add("credentials", "key.pem", text(1, security::pem(key.get())));
+  security::Certificate certificate = security::authority_certificate(key.get(), 86400.0);
+  const security::Authority authority{std::move(key), std::move(certificate)};
+  seeds.add("credentials", "authority.crt", text(0, security::pem(authority.certificate.get())));
+  security::Key identity = security::new_key();
+  const auto issued = security::identity_certificate(authority, identity.get(), {"arm", "client", "cyclone"}, 3600.0);
+  seeds.add("credentials", "identity.crt", text(0, security::pem(issued.get())));
+  const auto revoked = security::with(authority, security::new_revocations(authority).get(), {issued.get()});
+  seeds.add("credentials", "revoked.crl", text(2, security::pem(revoked.get())));
+  seeds.add("credentials", "document.p7s", text(3, security::sign(authority, "<dds></dds>")));
+}
+
+void add_http(Seeds& seeds) {
+  seeds.add("http", "metrics", "GET /metrics?name=a HTTP/1.1\r\nHost: 127.0.0.1:9747\r\nAccept: text/plain\r\n\r\n");
+  seeds.add("http", "head", "HEAD /healthz HTTP/1.0\r\nConnection: keep-alive\r\n\r\n");
+  seeds.add("http", "body", "POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\nExpect: 100-continue\r\n\r\n5\r\nhello\r\n0\r\n\r\n");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -174,5 +197,7 @@ int main(int argc, char** argv) {
   add_messages<msg::ServerInfo>(seeds, "server_messages", 4, "server");
   add_streams(seeds);
   add_journals(seeds);
+  add_credentials(seeds);
+  add_http(seeds);
   return 0;
 }
