@@ -42,7 +42,7 @@ class Server {
                  .domain = domain,
                  .robots = {{.name = "many", .plugin = "many", .slots = 2}, {.name = "busy", .plugin = "many"}},
                  .log_level = "warn",
-                 .more = "metrics: {port: 0}\nqueue_limit: 20000\n" + more}) {}
+                 .more = "metrics: {port: 0}\nqueue_limit: 20000\nadmission: {queued_per_client: 20000}\n" + more}) {}
   std::uint32_t domain() const { return domain_; }
   const test::Daemon& daemon() const { return daemon_; }
 
