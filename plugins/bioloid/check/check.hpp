@@ -10,7 +10,7 @@
 namespace foothold::bioloid {
 
 struct CheckOptions {
-  double clearance = 0.002;  // m, between bodies that are not neighbours, to obstacles, and of all but feet to the ground
+  double clearance = 0.002;  // m, between bodies that are not neighbours, and to obstacles
   double balance = 0.010;    // m, of the projected centre of mass inside the support polygon
   double ground = 2e-4;      // m, by which a sole on its way may be lower than the ground
   double slip = 2e-4;        // m and rad, by which a standing sole may be off its contact during the motion
@@ -24,12 +24,12 @@ struct CheckOptions {
 // (1e-9), its times grow from 0, and no servo is faster than `speed`. It is linear in the joints between its points, and the
 // following is proved all along these lines, by screws and bounds on their motion: the foot that moves stands within `slip` of its
 // old or new contact or is on its way, then its sole is above the ground (at the points) and never lower than -`ground`; bodies
-// keep `clearance` among themselves and from obstacles, all but the soles from the ground too; the centre of mass stays `balance`
+// keep `clearance` among themselves and from obstacles, none but the feet reaches the ground; the centre of mass stays `balance`
 // inside the soles' hull. `clearance` is proved to 1e-5 m. The other foot is what the robot is seen from.
 //
-// Margins: clearance (m, looked for up to 0.1 m), balance (m), ground (m: highest of the moving sole's lowest corner; only if a
-// foot is placed or taken up), slip (m and rad: what is left of the tolerance), limits (rad), speed (share of the servos' speed
-// left). A refusal is one sentence with the values. Any thread.
+// Margins: clearance (m, looked for up to 0.1 m), balance (m), limits (rad), speed (share of the servos' speed left), slip (m and
+// rad: what is left of the tolerance; if a second sole stands), ground (m, of the moving foot's lowest corner) and lift (m, the
+// most that corner gets above the ground; both if a foot moves). A refusal is one sentence with the values. Any thread.
 StepVerdict check_step(const Model& model, std::span<const Prism> obstacles, const Step& step, const Posture& before,
                        const CheckOptions& options);
 

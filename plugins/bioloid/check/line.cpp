@@ -30,6 +30,18 @@ std::vector<Vector3d> corners_of(const Judged& judged) {
   return out;
 }
 
+// m: the item's distance if it is below `needed` or the least that was seen; else `reserve` more than those at the most.
+double measured(const Judged& judged, const Instant& instant, const Surroundings::Item& item, double needed, double reserve,
+                double time, double tolerance, Seen& seen) {
+  const bool ground = item.kind == Surroundings::Item::Kind::kGround;
+  const double demanded = Surroundings::demanded(item, judged.options.clearance);
+  const double found = judged.surroundings.distance(instant, item, (ground ? needed : std::max(needed, seen.clearance)) + reserve);
+  if (!ground) seen.clearance = std::min(seen.clearance, found);
+  if (found < demanded - tolerance)
+    refuse("at ", time, " s: ", judged.surroundings.names(item), " are ", found, " m apart, less than ", demanded, " m");
+  return found;
+}
+
 class Proof {
  public:
   Proof(const Judged& judged, const Line& line, const Support& support, Seen& seen)
@@ -65,14 +77,9 @@ class Proof {
 
   // Leaves in `items` what is still open.
   void clear(const Instant& instant, double half, double time, std::vector<std::pair<Surroundings::Item, double>>& items) {
-    const double demanded = judged_.options.clearance;
     std::erase_if(items, [&](const auto& entry) {
-      const double moves = half * entry.second;
-      const double found = judged_.surroundings.distance(instant, entry.first, std::max(demanded + moves, seen_.clearance));
-      seen_.clearance = std::min(seen_.clearance, found);
-      if (found < demanded - 0.5 * kClearanceProof)
-        refuse("at ", time, " s: ", judged_.surroundings.names(entry.first), " are ", found, " m apart, less than ", demanded,
-               " m");
+      const double demanded = Surroundings::demanded(entry.first, judged_.options.clearance), moves = half * entry.second;
+      const double found = measured(judged_, instant, entry.first, demanded + moves, 0.0, time, 0.5 * kClearanceProof, seen_);
       return found - moves >= demanded - kClearanceProof;
     });
   }
@@ -158,7 +165,8 @@ double Support::margin(const Vector3d& centre_of_mass) const {
 
 double lowest_corner(const Judged& judged, const Instant& instant) {
   double least = HUGE_VAL;
-  for (const Vector3d& corner : corners_of(judged)) least = std::min(least, (instant.moved[foot_of(judged.moving)] * corner).z());
+  for (const Vector3d& corner : judged.skeleton.sole_corners(judged.moving))
+    least = std::min(least, (instant.moved[foot_of(judged.moving)] * corner).z());
   return least;
 }
 
@@ -178,19 +186,14 @@ Distances::Distances(const Judged& judged) : judged_(judged), bounds_(judged.sur
 
 void Distances::next(const Instant& instant, double time, const Line* before, const Line* after, Seen& seen) {
   constexpr double kReserve = 0.01;  // m, looked further than needed, so that the next points need not
-  const double demanded = judged_.options.clearance;
   open_.clear();
   for (std::size_t i = 0; i < bounds_.size(); ++i) {
-    const double came = before ? before->slopes[i] : 0.0, leaves = after ? after->slopes[i] : 0.0;
-    const double needed = std::max(demanded + 0.5 * std::max(came, leaves), seen.clearance), old = bounds_[i];
-    bounds_[i] = before ? old - came : 0.0;
-    if (bounds_[i] < needed) {
-      const Surroundings::Item& item = judged_.surroundings.items()[i];
-      bounds_[i] = judged_.surroundings.distance(instant, item, needed + kReserve);
-      seen.clearance = std::min(seen.clearance, bounds_[i]);
-      if (bounds_[i] < demanded - kClearanceProof)
-        refuse("at ", time, " s: ", judged_.surroundings.names(item), " are ", bounds_[i], " m apart, less than ", demanded, " m");
-    }
+    const Surroundings::Item& item = judged_.surroundings.items()[i];
+    const double demanded = Surroundings::demanded(item, judged_.options.clearance);
+    const double came = before ? before->slopes[i] : 0.0, leaves = after ? after->slopes[i] : 0.0, old = bounds_[i];
+    const double needed = demanded + 0.5 * std::max(came, leaves);
+    const bool known = before && old - came >= std::max(needed, seen.clearance);
+    bounds_[i] = known ? old - came : measured(judged_, instant, item, needed, kReserve, time, kClearanceProof, seen);
     if (before && 0.5 * (old + bounds_[i] - came) < demanded) open_.push_back(i);
   }
 }

@@ -36,7 +36,7 @@ struct Judged {
   Side moving;  // the other foot
 };
 
-// Lowest corner of the other foot, m over the ground.
+// Lowest corner of the other sole, m over the ground.
 double lowest_corner(const Judged& judged, const Instant& instant);
 // Pose of the other sole, seen from the one that stands.
 Isometry3d other_sole(const Judged& judged, const Instant& instant);

@@ -23,6 +23,8 @@ class Surroundings {
     std::size_t index = 0;  // of the pair or the obstacle
   };
   const std::vector<Item>& items() const { return items_; }
+  // m, of what is demanded between bodies: nothing but not to be below it from the ground.
+  static double demanded(const Item& item, double clearance) { return item.kind == Item::Kind::kGround ? 0.0 : clearance; }
   // m, at most `limit`, which is quicker than the distance itself; 0 or less if they touch.
   double distance(const Instant& instant, const Item& item, double limit) const;
   // m per unit of a line, at most.

@@ -18,7 +18,7 @@ using testing::shipped_model;
 constexpr std::size_t kRightFoot = leg_joint(Side::kRight, 5) + 1, kLeftFoot = leg_joint(Side::kLeft, 5) + 1;
 
 struct Least {
-  double clearance = HUGE_VAL, balance = HUGE_VAL, ground = HUGE_VAL;
+  double clearance = HUGE_VAL, balance = HUGE_VAL, ground = HUGE_VAL, bodies = HUGE_VAL;
 };
 
 double over_ground(const collision::Box& box) {
@@ -45,7 +45,7 @@ void look(const Joints& joints, const collision::Box& brick, Least& least) {
     if (body == kLeftFoot)
       least.ground = std::min(least.ground, over_ground(box));
     else if (body != kRightFoot)
-      least.clearance = std::min(least.clearance, over_ground(box));
+      least.bodies = std::min(least.bodies, over_ground(box));
     for (const auto& [other, second] : boxes)
       if (other > body && !model.neighbours(body, other))
         least.clearance = std::min(least.clearance, collision::distance(box, second));
@@ -84,8 +84,8 @@ TEST(BioloidCheckAgainstSamples, RandomLinesInSingleSupport) {
     Least least;
     for (int k = 0; k <= kSamples; ++k) look(a + (b - a) * k / kSamples, brick, least);
     const CheckOptions options{.clearance = 0.002, .balance = 0.005, .ground = 2e-4};
-    const double worst =
-        std::min({least.clearance - options.clearance, least.balance - options.balance, least.ground + options.ground});
+    const double worst = std::min(
+        {least.clearance - options.clearance, least.balance - options.balance, least.ground + options.ground, least.bodies});
     const StepVerdict verdict = check_step(model, std::vector<Prism>{prism}, step, before, options);
     if (worst < -2e-5) {
       EXPECT_FALSE(verdict.accepted) << worst;
