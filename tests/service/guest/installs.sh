@@ -13,10 +13,11 @@ done
 [ "$(stat -c %a /var/lib/private/footholdd)" = 700 ] || fail "others may look into the state"
 grep -q "^0::.*/foothold.slice/$unit" /proc/"$(pid)"/cgroup || fail "not in its slice: $(cat /proc/"$(pid)"/cgroup)"
 
-# A planner of the administrator's own: its library and its robot's file.
+# Planners of the administrator's own: their libraries and their robots' files.
 mkdir -p /usr/local/lib/foothold
 cp /root/many.so /usr/local/lib/foothold/walker.so
-cp /root/guest/walker.yaml /etc/foothold/robots/
+cp /root/memory.so /usr/local/lib/foothold/eater.so
+cp /root/guest/walker.yaml /root/guest/eater.yaml /etc/foothold/robots/
 systemctl restart $unit
 foothold --timeout 20 robots walker
 foothold doctor >$work/doctor || fail "the doctor is not content: $(cat $work/doctor)"

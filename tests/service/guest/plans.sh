@@ -6,7 +6,7 @@ for server in fastdds cyclone; do
   for client in cyclone fastdds; do
     for file in /etc/foothold/robots/*.yaml; do
       robot=$(basename "$file" .yaml)
-      [ "$robot" != walker ] || continue
+      [ ! -e /root/guest/"$robot".yaml ] || continue
       request=$(ls $requests/"$robot"-*.yaml | head -n 1)
       [ "$robot" = hyrecro ] && request=$requests/hyrecro-crossed-beams.yaml
       [ "$robot" = octopod ] && request=$requests/octopod-pa.yaml
