@@ -77,8 +77,10 @@ void Daemon::open_bus() {
                       Partitions::Hooks{.busy = [this](const Id& client) { return jobs_->busy_for(client); },
                                         .waiting = [this] { retry_soon(); },
                                         .complain = complain});
-  jobs_.emplace(jobs_options(), Jobs::Ports{journal_, workers_, scenes_, *partitions_, clock_, {&figures_}},
-                [](const std::string& sentence) { spdlog::error("{}", sentence); });
+  jobs_.emplace(
+      jobs_options(),
+      Jobs::Ports{journal_, workers_, scenes_, *partitions_, clock_, {&figures_}, [this] { return neighbour_heard_.load(); }},
+      [](const std::string& sentence) { spdlog::error("{}", sentence); });
   scenes_.open({.tell = [this](msg::SceneStatus status) { announcer_->scene(std::move(status)); },
                 .background =
                     [this](std::function<void()> work, std::function<void()> then) {
@@ -87,6 +89,7 @@ void Daemon::open_bus() {
                         boost::asio::post(loop_, then);
                       });
                     }});
+  listen_to_neighbours();
   jobs_->recover();
   end_batch();
   announce_robots();
@@ -113,6 +116,20 @@ JobsOptions Daemon::jobs_options() const {
 std::string Daemon::status() const {
   return std::to_string(workers_.robots().size()) + " robots, " + std::string(bus_->vendor()) + " domain " +
          std::to_string(config_.dds.domain);
+}
+
+// Whether requests of a time before a restart may have moved to somebody (idl/PROTOCOL.md P36). Who may not listen assumes it.
+void Daemon::listen_to_neighbours() {
+  const auto on_message = [this, own = journal_.server_id()](std::span<const std::byte> message) {
+    const auto info = msg::decode<msg::ServerInfo>(message);
+    if (info && info->key() != own) neighbour_heard_ = true;
+  };
+  try {
+    neighbours_ = bus_->reader(transport::Topic::kServer, "", {.on_message = on_message});
+  } catch (const transport::BusError& error) {
+    neighbour_heard_ = true;
+    spdlog::warn("other servers cannot be heard: {}", error.what());
+  }
 }
 
 void Daemon::take(ClientMessage message) {

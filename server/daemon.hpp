@@ -10,6 +10,7 @@
 
 #include <utility>  // before Asio, whose 1.74 forgets it under C++20
 
+#include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -56,6 +57,7 @@ class Daemon final : private RunEvents {
 
   // serving
   void open_bus();
+  void listen_to_neighbours();
   void take(ClientMessage message);
   void batch_soon();
   void end_batch();
@@ -107,6 +109,8 @@ class Daemon final : private RunEvents {
   std::optional<Partitions> partitions_;
   std::optional<Jobs> jobs_;
   std::optional<Inbox> inbox_;
+  std::unique_ptr<transport::Reader> neighbours_;
+  std::atomic<bool> neighbour_heard_ = false;
 
   std::function<Settings()> read_again_;
   boost::asio::signal_set signals_, hangups_;

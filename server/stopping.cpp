@@ -43,6 +43,7 @@ void Daemon::leave() {
   http_.reset();
   workers_.close([this] {
     inbox_.reset();
+    neighbours_.reset();
     if (partitions_ && !partitions_->wait_acknowledged(kAcknowledge)) spdlog::warn("not every client has acknowledged everything");
     partitions_.reset();
     announcer_.reset();

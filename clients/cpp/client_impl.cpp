@@ -24,7 +24,7 @@ std::optional<msg::Id> plan_of(std::span<const std::byte> message) {
 }  // namespace
 
 Client::Impl::Impl(std::unique_ptr<transport::Bus> the_bus, ClientOptions the_options)
-    : options(with_id(the_options)), bus(std::move(the_bus)), outgoing(std::make_shared<Outgoing>(*bus)) {
+    : options(with_id(the_options)), bus(std::move(the_bus)), directory(options.id), outgoing(std::make_shared<Outgoing>(*bus)) {
   const std::string mine = msg::to_hex(options.id);
   steps_ = listen(Topic::kStep, mine, [this](auto message) { on_step(message); });
   events_ = listen(Topic::kEvent, mine, [this](auto message) { on_event(message); });
@@ -62,7 +62,7 @@ std::unique_ptr<transport::Reader> Client::Impl::listen(Topic topic, const std::
   events.on_message = std::move(on_message);
   if (topic == Topic::kServer)
     events.on_liveliness = [this](std::size_t alive) {
-      nobody_alive_ = alive == 0;
+      writers_alive_ = alive;
       wake_keeper();
     };
   return bus->reader(topic, partition, std::move(events));
@@ -74,9 +74,27 @@ std::shared_ptr<PlanState> Client::Impl::find(const msg::Id& id) {
   return plan == plans_.end() ? nullptr : plan->second;
 }
 
+// For a plan whose server is lost or has refused it. False if nobody else can take it. Of a lost server's any other is asked, if
+// only to hear why it cannot.
+bool Client::Impl::find_another(const std::shared_ptr<PlanState>& plan, Clock::time_point now) {
+  std::vector<msg::Id> had_it = plan->left();
+  had_it.push_back(plan->server());
+  const auto server = directory.choose(plan->request(), had_it, !plan->server_lost());
+  if (!server) return false;
+  if (plan->move(*server, now)) delivery_.post(plan);
+  wake_keeper();
+  return true;
+}
+
 void Client::Impl::after(const std::shared_ptr<PlanState>& plan, bool news) {
+  const auto now = Clock::now();
+  if (plan->wants_another() && !find_another(plan, now)) news = plan->stay(now) || news;
   if (news) delivery_.post(plan);
   if (!plan->ended()) return;
+  if (auto cancel = plan->take_farewell()) {
+    const std::lock_guard lock(keeper_mutex_);
+    farewells_.push_back(std::move(*cancel));
+  }
   const std::lock_guard lock(plans_mutex_);
   plans_.erase(plan->id());
 }
@@ -95,15 +113,16 @@ void Client::Impl::on_event(std::span<const std::byte> message) {
   if (!plan) return;
   const auto event = msg::decode<msg::PlanEvent>(message);
   if (!event) return;
-  // Who is alive matters to an answer that nobody knows the request, and that is rare.
-  const std::vector<msg::Id> alive = event->state() == msg::UNKNOWN ? directory.alive() : std::vector<msg::Id>();
+  // Who is alive matters to an answer that nobody knows the request, or has it no more, and that is rare.
+  const bool matters = event->state() == msg::UNKNOWN || event->error().code() != msg::NO_ERROR;
+  const std::vector<msg::Id> alive = matters ? directory.alive() : std::vector<msg::Id>();
   after(plan, plan->accept(*event, alive, Clock::now()));
 }
 
 void Client::Impl::on_server(std::span<const std::byte> message) {
   const auto server = msg::decode<msg::ServerInfo>(message);
   if (!server) return;
-  nobody_alive_ = false;
+  if (writers_alive_ == 0) writers_alive_ = 1;  // who is heard is alive, whatever the vendor has noticed yet
   if (directory.add(*server, Clock::now())) wake_keeper();
 }
 

@@ -4,8 +4,10 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <limits>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <unordered_map>
 
@@ -40,12 +42,15 @@ class Client::Impl {
   std::shared_ptr<PlanState> find(const msg::Id& id);
   void begin(const std::shared_ptr<PlanState>& plan);
   void after(const std::shared_ptr<PlanState>& plan, bool news);
+  bool find_another(const std::shared_ptr<PlanState>& plan, Clock::time_point now);
   std::unique_ptr<transport::Reader> listen(transport::Topic topic, const std::string& partition,
                                             std::function<void(std::span<const std::byte>)> on_message);
 
   // On the keeper's thread.
   void keep();
   void look_at_servers(Clock::time_point now);
+  void tell_returned(const msg::Id& server, const std::vector<std::shared_ptr<PlanState>>& plans);
+  void say_farewells();
   void say_hello(Clock::time_point now);
   void look_at_plans(Clock::time_point now);
   bool ready_to_send(PlanState& plan, Clock::time_point now);
@@ -59,9 +64,11 @@ class Client::Impl {
   std::condition_variable keeper_work_;
   bool wake_ = false, stop_ = false;
   void wake_keeper();
-  std::atomic<bool> nobody_alive_ = false;
-  bool open_ = false;               // keeper only
-  Clock::time_point next_hello_{};  // keeper only
+  std::atomic<std::size_t> writers_alive_ = std::numeric_limits<std::size_t>::max();  // heartbeats, as the vendor counts them
+  std::vector<msg::CancelRequest> farewells_;                                         // of keeper_mutex_
+  std::set<msg::Id> away_;                                                            // keeper only: servers that are silent
+  bool open_ = false;                                                                 // keeper only
+  Clock::time_point next_hello_{};                                                    // keeper only
   std::thread keeper_;
 
   // Last: no callback runs once these are gone.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace foothold::client {
 namespace {
@@ -22,7 +23,7 @@ bool Directory::add(const msg::ServerInfo& server, Clock::time_point now) {
   const std::lock_guard lock(mutex_);
   const auto [seen, is_new] = servers_.try_emplace(server.key());
   const bool back = is_new || !seen->second.server.alive;
-  seen->second = {{server, true}, now};
+  seen->second = {{server, true}, now, 0};
   if (back) tell();
   return back;
 }
@@ -50,16 +51,19 @@ void Directory::forget(const msg::Id& upload) {
   uploads_.erase(upload);
 }
 
-std::vector<msg::Id> Directory::silent(Clock::time_point now, double silence, bool nobody_alive) {
+bool Directory::mark_silent(Clock::time_point now, double silence, std::size_t writers_alive) {
   const std::lock_guard lock(mutex_);
-  std::vector<msg::Id> lost;
+  const auto alive = [](const auto& entry) { return entry.second.server.alive; };
+  const auto known = static_cast<std::size_t>(std::ranges::count_if(servers_, alive));
+  const double limit = writers_alive == 0 ? 0.0 : writers_alive < known ? silence / 2.0 : silence;
+  bool any = false;
   for (auto& [id, seen] : servers_) {
-    if (!seen.server.alive || (!nobody_alive && now - seen.beat < from_seconds(silence))) continue;
+    if (!seen.server.alive || now - seen.beat < from_seconds(limit)) continue;
     seen.server.alive = false;
-    lost.push_back(id);
+    any = true;
   }
-  if (!lost.empty()) tell();
-  return lost;
+  if (any) tell();
+  return any;
 }
 
 void Directory::set_open(bool open) {
@@ -124,24 +128,45 @@ std::optional<msg::RobotInfo> Directory::robot(std::string_view name, const msg:
   return find_robot(name, server);
 }
 
-std::optional<msg::Id> Directory::choose(std::string_view name) const {
+bool Directory::has_scene(const msg::Id& server, const msg::PlanRequest& request) const {
+  return request.scene().empty() || std::ranges::any_of(scenes_, [&](const auto& entry) {
+           const msg::SceneStatus& scene = entry.second;
+           return scene.server() == server && scene.name() == request.scene() &&
+                  (request.scene_revision().empty() || scene.revision() == request.scene_revision());
+         });
+}
+
+std::string Directory::newest(std::string_view name, const msg::Id& server) const {
   const std::lock_guard lock(mutex_);
-  const Seen* best = nullptr;
-  // A server that stops or a robot that is not ready still answers, with the reason: better than no answer.
-  const auto rank = [](const msg::RobotInfo& robot, const msg::ServerInfo& server) {
-    const double work = static_cast<double>(server.queued() + server.running()) / std::max(1u, server.slots());
-    return std::make_tuple(robot.state() != msg::READY || server.stopping(), work, server.key());
+  const msg::SceneStatus* best = nullptr;
+  for (const auto& [key, scene] : scenes_)
+    if (scene.server() == server && scene.name() == name && (best == nullptr || scene.stamp() > best->stamp())) best = &scene;
+  return best == nullptr ? std::string() : best->revision();
+}
+
+std::optional<msg::Id> Directory::choose(const msg::PlanRequest& request, std::span<const msg::Id> except, bool able) {
+  const std::lock_guard lock(mutex_);
+  const auto rank = [&](const msg::RobotInfo& robot, const Seen& seen) {
+    const msg::ServerInfo& server = seen.server.info;
+    const double work = static_cast<double>(server.queued() + server.running() + seen.given) / std::max(1u, server.slots());
+    msg::Id order = server.key();
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint8_t>(order[i] ^ client_[i]);
+    return std::make_tuple(robot.state() != msg::READY || server.stopping(), !has_scene(server.key(), request), work, order);
   };
-  std::optional<std::tuple<bool, double, msg::Id>> best_rank;
+  std::optional<decltype(rank(std::declval<msg::RobotInfo>(), std::declval<Seen>()))> best_rank;
+  Seen* best = nullptr;
   for (const auto& [key, robot] : robots_) {
-    if (robot.name() != name || !is_alive(robot.server())) continue;
-    const Seen& seen = servers_.at(robot.server());
-    const auto its_rank = rank(robot, seen.server.info);
+    if (robot.name() != request.robot() || !is_alive(robot.server())) continue;
+    if (std::ranges::find(except, robot.server()) != except.end()) continue;
+    Seen& seen = servers_.at(robot.server());
+    const auto its_rank = rank(robot, seen);
+    if (able && (std::get<0>(its_rank) || std::get<1>(its_rank))) continue;
     if (best_rank && *best_rank <= its_rank) continue;
     best = &seen;
     best_rank = its_rank;
   }
   if (best == nullptr) return std::nullopt;
+  ++best->given;
   return best->server.info.key();
 }
 

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -17,12 +18,15 @@ class Directory {
  public:
   using Clock = std::chrono::steady_clock;
 
+  explicit Directory(const msg::Id& client) : client_(client) {}
+
   // Each returns true if somebody should know: a server that was not there before, or is back.
   bool add(const msg::ServerInfo& server, Clock::time_point now);
   void add(const msg::RobotInfo& robot);
   void add(const msg::SceneStatus& scene);
-  // Servers that were alive and have not been heard for `silence`; all of them if `nobody_alive`.
-  std::vector<msg::Id> silent(Clock::time_point now, double silence, bool nobody_alive);
+  // Marks servers that were alive and have not been heard for `silence`, or half of it if the vendor counts only `writers_alive`
+  // of them; all if it counts none. True if there was one.
+  bool mark_silent(Clock::time_point now, double silence, std::size_t writers_alive);
   // Both ways to the servers are open.
   void set_open(bool open);
 
@@ -31,8 +35,14 @@ class Directory {
   std::vector<msg::RobotInfo> robots() const;
   std::vector<msg::SceneStatus> scenes() const;
   std::optional<msg::RobotInfo> robot(std::string_view name, const msg::Id& server) const;
-  // The alive server that has the robot and the least to do.
-  std::optional<msg::Id> choose(std::string_view robot) const;
+  // The alive server that has the request's robot and scene and the least to do, counting what choose() gave it since its last
+  // heartbeat; servers that have equally much in an order of this client's own. One that stops, whose robot is not ready or that
+  // has not told of the scene comes last: it still answers, with the reason.
+  std::optional<msg::Id> choose(const msg::PlanRequest& request) { return choose(request, {}, false); }
+  // None of `except`, and if `able` none of those that come last.
+  std::optional<msg::Id> choose(const msg::PlanRequest& request, std::span<const msg::Id> except, bool able);
+  // The newest revision of a scene as this server told; empty if it did not.
+  std::string newest(std::string_view scene, const msg::Id& server) const;
   // Answers to this upload are kept from now on, until it is forgotten.
   void expect(const msg::Id& upload);
   void forget(const msg::Id& upload);
@@ -49,11 +59,14 @@ class Directory {
   struct Seen {
     ServerSeen server;
     Clock::time_point beat;
+    std::uint32_t given = 0;  // requests since
   };
   bool is_alive(const msg::Id& server) const;
+  bool has_scene(const msg::Id& server, const msg::PlanRequest& request) const;
   std::optional<msg::RobotInfo> find_robot(std::string_view name, const msg::Id& server) const;
   void tell();
 
+  const msg::Id client_;
   mutable std::mutex mutex_;
   mutable std::condition_variable news_;
   std::unordered_map<msg::Id, Seen, msg::IdHash> servers_;

@@ -34,9 +34,10 @@ void Client::Impl::keep() {
     lock.unlock();
     const auto now = Clock::now();
     const bool sent = outgoing->flush();
-    look_at_servers(now);
     try {
+      look_at_servers(now);
       say_hello(now);
+      say_farewells();
       look_at_plans(now);
     } catch (const SendError&) {
       // Nobody waits for this call; the timers of what could not be sent bring it here again.
@@ -53,7 +54,7 @@ void Client::Impl::keep() {
 }
 
 void Client::Impl::look_at_servers(Clock::time_point now) {
-  directory.silent(now, options.server_silence, nobody_alive_);
+  directory.mark_silent(now, options.server_silence, writers_alive_);
   const std::vector<msg::Id> alive = directory.alive();
   const std::vector<ServerSeen> servers = directory.servers();
   std::vector<std::shared_ptr<PlanState>> plans;
@@ -66,7 +67,31 @@ void Client::Impl::look_at_servers(Clock::time_point now) {
     const auto seen = std::ranges::find(servers, server, [](const ServerSeen& s) { return s.info.key(); });
     if (seen == servers.end()) continue;
     if (plan->set_server_lost(!seen->alive, now)) delivery_.post(plan);
+    if (!seen->alive && plan->wants_another()) find_another(plan, now);
   }
+  for (const ServerSeen& server : servers) {
+    if (!server.alive)
+      away_.insert(server.info.key());
+    else if (away_.erase(server.info.key()) != 0)
+      tell_returned(server.info.key(), plans);
+  }
+}
+
+// A server that is back may still have what has moved on since: that the same request goes to another tells it so (P35).
+void Client::Impl::tell_returned(const msg::Id& server, const std::vector<std::shared_ptr<PlanState>>& plans) {
+  for (const auto& plan : plans) {
+    const auto left = plan->left();
+    if (!plan->ended() && std::ranges::find(left, server) != left.end()) outgoing->send(plan->request());
+  }
+}
+
+void Client::Impl::say_farewells() {
+  std::vector<msg::CancelRequest> farewells;
+  {
+    const std::lock_guard lock(keeper_mutex_);
+    farewells.swap(farewells_);
+  }
+  for (const msg::CancelRequest& cancel : farewells) outgoing->send(cancel);
 }
 
 // Until every server that is alive hears us and has opened our partition. P1.
@@ -98,8 +123,8 @@ bool Client::Impl::ready_to_send(PlanState& plan, Clock::time_point now) {
   if (!plan.unsent()) return true;
   const msg::PlanRequest request = plan.request();
   if (request.server() != msg::kNoId) return true;
-  if (const auto server = directory.choose(request.robot())) {
-    plan.choose(*server);
+  if (const auto server = directory.choose(request)) {
+    plan.choose(*server, request.scene().empty() ? std::string() : directory.newest(request.scene(), *server));
     return true;
   }
   if (now - plan.times().submitted < from_seconds(options.choose_within)) return false;

@@ -14,6 +14,7 @@ std::optional<msg::PlanEvent> Plan::wait(double seconds) const { return state_->
 msg::State Plan::state() const { return state_->state(); }
 std::optional<msg::PlanEvent> Plan::last_event() const { return state_->last_event(); }
 bool Plan::ended() const { return state_->ended(); }
+msg::Id Plan::server() const { return state_->server(); }
 bool Plan::server_lost() const { return state_->server_lost(); }
 std::size_t Plan::steps_ready() const { return state_->steps_ready(); }
 PlanTraffic Plan::traffic() const { return state_->traffic(); }

@@ -1,4 +1,4 @@
-// The rules of one plan on the client's side: P3, P14, P17, P18 and the loss of a server.
+// The rules of one plan on the client's side: P3, P14, P17, P18 and the silence of its server. More servers: plan_moves.cpp.
 #include "plan_state.hpp"
 
 #include <algorithm>
@@ -35,6 +35,7 @@ PlanState::PlanState(msg::PlanRequest request, Origin origin, std::uint32_t from
       callbacks_(std::move(callbacks)),
       repair_after_(options.repair_after),
       resend_after_(options.resend_after),
+      fixed_(!options.failover || request_.server() != msg::kNoId),
       outgoing_(std::move(outgoing)),
       steps_(from),
       server_(request_.server()),
@@ -46,7 +47,8 @@ bool PlanState::accept(msg::Step step, Time now) {
   bool over = false;
   {
     const std::lock_guard lock(mutex_);
-    if (has_ended()) return false;
+    if (has_ended() || is_of_another(step.server())) return false;
+    if (server_ == msg::kNoId) server_ = step.server();
     switch (steps_.add(std::move(step))) {
       case StepOrder::Added::kTwice:
         ++traffic_.duplicates;
@@ -54,6 +56,9 @@ bool PlanState::accept(msg::Step step, Time now) {
       case StepOrder::Added::kEarly:
         next_due_ = std::min(next_due_, now + from_seconds(repair_after_));
         return false;
+      case StepOrder::Added::kDiffers:
+        end_as_different(steps_.next());
+        break;
       case StepOrder::Added::kInOrder:
         break;
     }
@@ -70,7 +75,7 @@ bool PlanState::accept(const msg::PlanEvent& event, std::span<const msg::Id> ali
   bool over = false;
   {
     const std::lock_guard lock(mutex_);
-    if (has_ended() || (server_ != msg::kNoId && event.server() != server_)) return false;
+    if (has_ended() || refusal_ || is_of_another(event.server())) return false;
     if (std::exchange(lost_, false)) untold_.push_back({std::nullopt, false});  // who answers is not lost
     if (event.state() == msg::UNKNOWN) {
       accept_unknown(event, alive, now);
@@ -83,17 +88,20 @@ bool PlanState::accept(const msg::PlanEvent& event, std::span<const msg::Id> ali
       announced_ = std::max(announced_, event.steps());
       if (scene_.empty()) scene_ = event.scene();
       if (final_) return false;
-      if (!heard_ || event.state() != state_) {
+      if (!std::exchange(heard_, true) || event.state() != state_) {
         progress(now);
         state_ = event.state();
         if (msg::is_final(state_))
-          final_ = event;
+          accept_final(event, alive, now);
         else
           untold_.push_back({event, false});
       } else if (misses_steps()) {
         next_due_ = std::min(next_due_, now + from_seconds(repair_after_));
       }
-      heard_ = true;
+      if (event.state() == msg::QUEUED && event.error().code() == msg::SERVER_RESTARTED && origin_ == Origin::kSubmitted) {
+        word_ = true;
+        next_due_ = now;
+      }
     }
     over = note_end(now);
   }
@@ -108,13 +116,14 @@ void PlanState::accept_unknown(const msg::PlanEvent& event, std::span<const msg:
   ++not_known_;
   not_known_to_.push_back(event.server());
   const bool unknown_to_all = !alive.empty() && std::ranges::all_of(alive, [&](const msg::Id& id) {
-    return std::ranges::find(not_known_to_, id) != not_known_to_.end();
+    return std::ranges::find(not_known_to_, id) != not_known_to_.end() || std::ranges::find(left_, id) != left_.end();
   });
   if (origin_ == Origin::kSubmitted && !heard_) {
     next_due_ = std::min(next_due_, now + from_seconds(repair_after_));
     return;
   }
   if (not_known_ < kUnknownForGood && (heard_ || !unknown_to_all)) return;
+  if (moved_away_) return end_as(*std::exchange(moved_away_, std::nullopt));
   final_ = last_ = event;
   state_ = msg::UNKNOWN;
 }
@@ -147,14 +156,20 @@ void PlanState::tell_over() {
   over_.notify_all();
 }
 
-bool PlanState::has_ended() const { return final_ && (final_->state() == msg::UNKNOWN || steps_.next() >= final_->steps()); }
+bool PlanState::has_ended() const {
+  return final_ && (cut_ || final_->state() == msg::UNKNOWN || steps_.next() >= final_->steps());
+}
 
 bool PlanState::misses_steps() const { return steps_.gap() || announced_ > steps_.next(); }
 
 PlanState::Due PlanState::due(Time now) {
   const std::lock_guard lock(mutex_);
-  if (has_ended() || lost_ || now < next_due_) return Due::kNothing;
+  if (has_ended() || lost_ || refusal_ || now < next_due_) return Due::kNothing;
   next_due_ = now + from_seconds(patience_);
+  if (std::exchange(word_, false)) {
+    ++traffic_.requests;
+    return Due::kSend;
+  }
   if (origin_ == Origin::kSubmitted && !heard_) {
     if (sent_) patience_ = std::min(2.0 * patience_, kMostPatienceToSend);
     sent_ = true;
@@ -173,8 +188,9 @@ bool PlanState::unsent() const {
   return origin_ == Origin::kSubmitted && !sent_;
 }
 
-void PlanState::choose(const msg::Id& server) {
+void PlanState::choose(const msg::Id& server, const std::string& revision) {
   const std::lock_guard lock(mutex_);
+  revision_ = revision;
   request_.server(server);
   server_ = server;
 }

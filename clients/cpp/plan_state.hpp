@@ -32,12 +32,23 @@ class PlanState {
   bool accept(const msg::PlanEvent& event, std::span<const msg::Id> alive, Time now);
   bool set_server_lost(bool lost, Time now);
 
+  // ---- another server instead (P34 to P38)
+  // True if this plan's server is lost, or has ended it for a reason that another may not have: then, in whatever order,
+  // move() if there is another server, or stay().
+  bool wants_another() const;
+  std::vector<msg::Id> left() const;  // who had it before; never asked again
+  bool move(const msg::Id& server, Time now);
+  bool stay(Time now);  // the end stands; a lost server is waited for
+  // A cancel that is still to be sent for a plan that is over here, but not at its server.
+  std::optional<msg::CancelRequest> take_farewell();
+
   // ---- what is to be done now
   enum class Due { kNothing, kSend, kAsk };
   // Counts as done, and sets the time of the next.
   Due due(Time now);
-  bool unsent() const;                 // kept until a server is known
-  void choose(const msg::Id& server);  // before the first kSend
+  bool unsent() const;  // kept until a server is known
+  // Before the first kSend. `revision`: of its scene, as far as known, in case another server has to plan the same.
+  void choose(const msg::Id& server, const std::string& revision = {});
   msg::StateQuery question(const msg::Id& client) const;
   // What was cancelled and has not ended: sent again with every question, for a server that was away the first time.
   std::optional<msg::CancelRequest> unanswered_cancel() const;
@@ -65,6 +76,11 @@ class PlanState {
  private:
   bool has_ended() const;
   bool misses_steps() const;
+  bool is_of_another(const msg::Id& server) const;
+  bool may_move() const;
+  void accept_final(const msg::PlanEvent& event, std::span<const msg::Id> alive, Time now);
+  void end_as(msg::PlanEvent event);
+  void end_as_different(std::uint32_t index);
   void progress(Time now);
   void accept_unknown(const msg::PlanEvent& event, std::span<const msg::Id> alive, Time now);
   bool note_end(Time now);  // true if it has ended
@@ -74,6 +90,7 @@ class PlanState {
   const Origin origin_;
   const PlanCallbacks callbacks_;
   const double repair_after_, resend_after_;
+  const bool fixed_;  // to the server that the caller named
   const std::weak_ptr<Outgoing> outgoing_;
 
   mutable std::mutex mutex_;
@@ -86,6 +103,13 @@ class PlanState {
   std::vector<msg::Shape> scene_;
   bool sent_ = false, heard_ = false, lost_ = false, detached_ = false;
   std::optional<msg::CancelRequest> cancel_;
+  std::vector<msg::Id> left_;
+  std::string revision_;
+  std::optional<msg::PlanEvent> refusal_;     // the end as the last server said it, while another may be found
+  std::optional<msg::PlanEvent> moved_away_;  // of a plan asked for: what a server said that has it no more
+  bool cut_ = false;                          // the end stands although the last server has not sent so many steps
+  bool word_ = false;                         // its server was restarted and asks whether it is still wanted
+  std::optional<msg::CancelRequest> farewell_;
   std::vector<msg::Id> not_known_to_;
   int not_known_ = 0;  // answers in a row that said so
   Time next_due_{};

@@ -18,6 +18,7 @@ constexpr const char* kSchema = "http://www.omg.org/spec/DDS-Security/20170901/o
 
 constexpr std::array kFromClients{Topic::kRequest, Topic::kCancel, Topic::kQuery, Topic::kScene};
 constexpr std::array kToEverybody{Topic::kServer, Topic::kRobot, Topic::kSceneStatus};
+constexpr std::array kAmongServers{Topic::kServer};
 constexpr std::array kToOneClient{Topic::kEvent, Topic::kStep};
 
 std::string head(const std::string& document) {
@@ -39,7 +40,8 @@ std::string rule(const char* kind, const std::array<Topic, count>& topics, const
 std::string rules(const Grant& grant) {
   switch (grant.role) {
     case Role::kServer:
-      return rule("publish", kToEverybody, "") + rule("publish", kToOneClient, "*") + rule("subscribe", kFromClients, "");
+      return rule("publish", kToEverybody, "") + rule("publish", kToOneClient, "*") + rule("subscribe", kFromClients, "") +
+             rule("subscribe", kAmongServers, "");
     case Role::kClient:
       return rule("publish", kFromClients, "") + rule("subscribe", kToEverybody, "") +
              rule("subscribe", kToOneClient, partition_prefix(grant.holder) + "*");

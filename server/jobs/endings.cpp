@@ -57,6 +57,8 @@ void Jobs::tick() {
     if (job.ending) {
       set_alarm(job, std::nullopt);
       ports_.planners.kill(*job.run, "it did not heed its stop token within the grace time");
+    } else if (job.held && job.deadline > now) {
+      end_hold(job);
     } else {
       expire(job);
     }

@@ -38,6 +38,8 @@ struct Job {
   std::uint32_t seen = 0;       // that the current run has handed over
   std::vector<Bytes> replay;    // steps of a run before a restart, which this run must repeat
 
+  bool held = false;          // found after a restart, waits for its client's word (P36)
+  bool word = false;          // which has come
   bool ran = false;           // it was RUNNING once
   bool killed = false;        // its worker did not heed the stop token
   bool accepted = false;      // its receipt is durable

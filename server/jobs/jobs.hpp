@@ -44,6 +44,8 @@ struct JobsOptions {
   double grace = 0.25;             // s, from the stop token to the kill
   double cancel_memory = 10.0;     // s
   double retention = 7 * 86400.0;  // s
+  double word_settles = 1.0;       // s after a client's word that it still counts on this server (P36)
+  double word_wait = 5.0;          // s without that word, if no other server is heard
 };
 
 class Jobs final : public RunEvents {
@@ -55,6 +57,7 @@ class Jobs final : public RunEvents {
     Outbox& outbox;
     const Clock& clock;
     std::vector<RequestWatch*> watches = {};
+    std::function<bool()> others_serve = {};  // other servers are heard in this domain; nothing: never
   };
   // Figures for the heartbeat.
   struct Load {
@@ -133,6 +136,7 @@ class Jobs final : public RunEvents {
 
   // requests.cpp
   void take(msg::PlanRequest request);
+  void moved_on(const msg::PlanRequest& request);
   void refuse_request(msg::PlanRequest request, msg::State state, msg::Error error);
   std::optional<bool> known(const Id& id);
   Refusal check_room(const msg::PlanRequest& request) const;
@@ -174,6 +178,10 @@ class Jobs final : public RunEvents {
 
   // recovery.cpp
   void resume(Record record);
+  void hold(Job& job);
+  void hear_word(Job& job, const msg::PlanRequest& again);
+  void end_hold(Job& job);
+  void run_again(Job& job);
 
   void tell(Job& job, msg::State state, msg::Error error);
   void show_end(const Job& job) const;

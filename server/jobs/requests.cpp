@@ -33,7 +33,7 @@ std::optional<bool> Jobs::known(const Id& id) {
 }
 
 void Jobs::request(msg::PlanRequest request) {
-  if (request.server() != msg::kNoId && request.server() != options_.server) return;
+  if (request.server() != msg::kNoId && request.server() != options_.server) return moved_on(request);
   ports_.outbox.open(request.client());
   if (request.id() == msg::kNoId) {
     push(request.id(), change_event(speaker_, essence(request), msg::REJECTED, ports_.clock.stamp(), 0,
@@ -41,10 +41,23 @@ void Jobs::request(msg::PlanRequest request) {
     return;
   }
   const auto is_known = known(request.id());
-  if (!is_known || *is_known)
-    ask(request.id(), request.client(), 0);
+  if (is_known && !*is_known) return take(std::move(request));
+  if (const auto job = jobs_.find(request.id()); job != jobs_.end()) hear_word(job->second, request);
+  ask(request.id(), request.client(), 0);
+}
+
+// P35. A request that this server has and that its client addresses to another.
+void Jobs::moved_on(const msg::PlanRequest& request) {
+  const auto found = jobs_.find(request.id());
+  if (found == jobs_.end() || found->second.ended() || found->second.ending) return;
+  Job& job = found->second;
+  if (job.request.client() != request.client()) return;
+  const Ending ending{msg::CANCELLED,
+                      msg::make_error(msg::MOVED, "its client submitted it to server " + msg::to_hex(request.server()))};
+  if (job.run)
+    halt(job, ending);
   else
-    take(std::move(request));
+    finish(job, ending);
 }
 
 void Jobs::take(msg::PlanRequest request) {

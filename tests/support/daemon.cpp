@@ -46,9 +46,8 @@ void Daemon::write_configuration() const {
   fs::remove_all(directory_ / "robots");
   fs::create_directories(directory_ / "robots");
   std::ofstream file(directory_ / "footholdd.yaml");
-  file << "name: test\n"
-       << "state_dir: " << (options_.state_dir.empty() ? directory_ / "state" : options_.state_dir)
-       << "\n"
+  file << "name: " << options_.name << "\n"
+       << "state_dir: " << (options_.state_dir.empty() ? directory_ / "state" : options_.state_dir) << "\n"
        << "robots_dir: " << directory_ / "robots"
        << "\n"
        << "plugin_dir: " << (options_.plugin_dir.empty() ? FOOTHOLD_TEST_PLUGINS : options_.plugin_dir) << "\n"

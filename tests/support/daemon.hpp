@@ -23,6 +23,7 @@ struct TestRobot {
 };
 
 struct DaemonOptions {
+  std::string name = "test";
   std::string vendor = "cyclone";
   std::uint32_t domain = 0;
   std::vector<TestRobot> robots;

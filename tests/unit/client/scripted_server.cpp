@@ -16,8 +16,9 @@ void write(Writer& writer, const Message& message) {
 
 }  // namespace
 
-msg::Step numbered_step(const msg::Id& request, std::uint32_t index) {
+msg::Step numbered_step(const msg::Id& request, std::uint32_t index, const msg::Id& server) {
   msg::Step step;
+  step.server(server);
   step.request(request);
   step.index(index);
   step.label("step " + std::to_string(index));
@@ -165,16 +166,22 @@ void ScriptedServer::on(const msg::PlanRequest& request) {
     const std::lock_guard lock(mutex_);
     script = script_;
   }
-  if (script.deaf) return;
+  if (script.deaf || (request.server() != msg::kNoId && request.server() != id_)) return;
   Partition& out = partition(request.client());
   const auto [entry, is_new] = known_.try_emplace(request.id());
   Known& known = entry->second;
   if (!is_new) return answer(request.client(), request.id(), 0);
   known.request = request;
+  if (script.refuse != 0 || script.fail != 0) {
+    known.event = event(request.id(), request.client(), script.refuse != 0 ? msg::REJECTED : msg::FAILED);
+    known.event.error(msg::make_error(script.refuse != 0 ? script.refuse : script.fail, "as the script says"));
+    return write(*out.events, known.event);
+  }
   known.event = event(request.id(), request.client(), early_cancels_.contains(request.id()) ? msg::CANCELLED : msg::RUNNING);
   write(*out.events, known.event);
   if (known.event.state() == msg::CANCELLED) return;
-  for (std::uint32_t i = 0; i < script.steps; ++i) known.steps.push_back(numbered_step(request.id(), i));
+  for (std::uint32_t i = 0; i < script.steps; ++i) known.steps.push_back(numbered_step(request.id(), i, id_));
+  for (std::uint32_t i = script.other_from; i < script.steps; ++i) known.steps[i].label("another");
   known.event.steps(script.steps);
   if (script.ends) known.event.state(msg::SUCCEEDED);
   if (script.ends && script.final_first) write(*out.events, known.event);

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -18,15 +19,18 @@
 
 namespace foothold::test {
 
-msg::Step numbered_step(const msg::Id& request, std::uint32_t index);
+msg::Step numbered_step(const msg::Id& request, std::uint32_t index, const msg::Id& server = msg::id_of("server"));
 
 class ScriptedServer {
  public:
   struct Script {
     std::uint32_t steps = 10;
-    bool ends = true;          // else RUNNING until it is cancelled
-    bool final_first = false;  // the final event before the steps
-    bool deaf = false;         // hears no request
+    bool ends = true;                                                      // else RUNNING until it is cancelled
+    bool final_first = false;                                              // the final event before the steps
+    bool deaf = false;                                                     // hears no request
+    std::uint16_t refuse = 0;                                              // rejects every request with this error
+    std::uint16_t fail = 0;                                                // ends as FAILED with this error, with no step
+    std::uint32_t other_from = std::numeric_limits<std::uint32_t>::max();  // from this step on its plan is not the numbered one
     std::string robot = "robot";
   };
 
@@ -39,7 +43,7 @@ class ScriptedServer {
   // Sends by hand, on the server's own thread.
   void send(const msg::Id& client, const msg::PlanEvent& event);
   void send(const msg::Id& client, const msg::Step& step);
-  // What the client has sent so far.
+  // What clients have sent so far, whomever it was addressed to.
   std::vector<msg::PlanRequest> requests() const;
   std::vector<msg::StateQuery> queries() const;
   std::vector<msg::CancelRequest> cancels() const;

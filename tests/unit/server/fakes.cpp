@@ -59,7 +59,8 @@ void World::restart() {
     if (!started.ended) ++planners.robots.at(started.request.robot()).idle;
     started.ended = true;
   }
-  jobs = std::make_unique<Jobs>(options, Jobs::Ports{journal, planners, shelf, outbox, clock, watches},
+  jobs = std::make_unique<Jobs>(options,
+                                Jobs::Ports{journal, planners, shelf, outbox, clock, watches, [this] { return others_serve; }},
                                 [this](const std::string& text) { complaints.push_back(text); });
   jobs->recover();
   jobs->settle();

@@ -190,6 +190,7 @@ struct World {
   FakeOutbox outbox;
   JobsOptions options;
   std::vector<std::string> complaints;
+  bool others_serve = false;
   std::vector<RequestWatch*> watches;
   std::unique_ptr<Jobs> jobs;
 

@@ -13,6 +13,7 @@ class Storm {
  public:
   Storm(std::uint64_t seed, bool storage_fails) : random_(seed), storage_fails_(storage_fails) {
     world_.options.limits.queued = 6;
+    world_.others_serve = seed % 2 == 0;
     world_.restart();
     world_.journal.turns = 0;
   }
@@ -97,7 +98,7 @@ class Storm {
       case 2:
         return submit(chance(0.7) ? fresh() : some_id());
       case 3:
-        return cancel(some_id());
+        return chance(0.3) ? move(some_id()) : cancel(some_id());
       case 4:
         return query(some_id());
       case 5:
@@ -126,6 +127,15 @@ class Storm {
     request.shapes(chance(0.2));
     if (chance(0.2)) request.robot("climber");
     if (chance(0.1)) request.robot("nobody");
+    if (chance(0.4)) request.server(world_.options.server);
+    world_.jobs->request(request);
+  }
+
+  // Its client submits it to another server.
+  void move(const Id& id) {
+    auto request = good_request();
+    request.id(id);
+    request.server(msg::id_of("another server"));
     world_.jobs->request(request);
   }
 

@@ -31,7 +31,8 @@ struct ClientOptions {
   double repair_after = 0.1;    // without progress, a plan's state and missing steps are asked for; doubled up to ten times
   double resend_after = 0.5;    // unanswered, a request is sent again under its id; doubled up to 4 s
   double choose_within = 1.0;   // how long submit() waits for a server that has the robot before it asks any other
-  double server_silence = 1.5;  // without a heartbeat, a server counts as lost
+  double server_silence = 1.5;  // without a heartbeat, a server counts as lost; half of it if the vendor misses one, too
+  bool failover = true;         // a request whose server is lost or cannot take it goes to another (idl/PROTOCOL.md P34 to P38)
 };
 
 // A request cannot be sent: the vendor refused its octets. The message names the topic and the vendor's reason.
@@ -74,8 +75,11 @@ class Client {
 
   // ---- plans
   // Sends the request and returns at once. Fills in `client`, a zero `id` by a random one, and a zero `server` by the alive server
-  // that announces the robot and has the least to do; while none is known the request is kept and sent when there is one. An id
-  // that is already open here gives that plan. Throws SendError.
+  // that announces the robot, and the scene if there is one, and has the least to do; while none is known the request is kept and
+  // sent when there is one. An id that is already open here gives that plan. Throws SendError.
+  // If `server` was zero, the request moves to another such server, under its id, when its server is lost, is being stopped, was
+  // restarted or refuses it for a reason that another may not have (full queue, unknown scene, robot that is out). The steps that
+  // arrived before stay; the other server's must be the same, octet for octet, or the plan ends FAILED / PLAN_DIFFERS.
   Plan submit(msg::PlanRequest request, PlanCallbacks callbacks = {});
   // Asks for the plan of any id, whoever submitted it, from a step on: it is followed to its end as if it were our own. Steps
   // before `from_step` are left out.

@@ -29,7 +29,8 @@ inline constexpr double kForever = std::numeric_limits<double>::infinity();
 struct PlanCallbacks {
   std::function<void(const msg::Step&)> on_step;
   std::function<void(const msg::PlanEvent&)> on_event;  // each change of state
-  std::function<void(bool lost)> on_server;             // the plan's server fell silent (true), or is back (false)
+  // The plan's server fell silent (true), or is back, or another has the request now (false; Plan::server() says which).
+  std::function<void(bool lost)> on_server;
   bool any() const { return on_step || on_event || on_server; }
 };
 
@@ -38,6 +39,7 @@ struct PlanTraffic {
   std::size_t requests = 0;    // how often the request was sent (the same id: never a second plan)
   std::size_t queries = 0;     // how often the client asked for what it missed
   std::size_t duplicates = 0;  // steps that arrived again
+  std::size_t moves = 0;       // how often it was submitted to another server, because one was lost or could not take it
 };
 
 // When things happened, on this machine; zero time points did not happen yet.
@@ -90,7 +92,9 @@ class Plan {
   std::optional<msg::PlanEvent> last_event() const;
   // True once the final event and every step have arrived. A plan asked for by an id that no server knows ends in state UNKNOWN.
   bool ended() const;
-  // The plan's server is silent. The plan goes on by itself when it is back.
+  // Who has the request; zeros while that is not known.
+  msg::Id server() const;
+  // The plan's server is silent, and no other can take its place. The plan goes on by itself when it is back.
   bool server_lost() const;
   // Steps that are there in order.
   std::size_t steps_ready() const;

@@ -1,0 +1,167 @@
+// Two servers in one domain, of both vendors and mixed; one is killed, halted or stopped in the middle: P34 to P39.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "daemon.hpp"
+#include "eventually.hpp"
+#include "foothold/client/client.hpp"
+#include "foothold/msg/errors.hpp"
+#include "planners.hpp"
+#include "wire.hpp"
+
+namespace foothold::test {
+namespace {
+
+struct Fleet {
+  const char *one, *two, *client;
+  friend std::ostream& operator<<(std::ostream& out, const Fleet& fleet) {
+    return out << fleet.one << " and " << fleet.two << " servers, " << fleet.client << " client";
+  }
+};
+
+constexpr double kSoon = 30.0;  // s; a limit for a stuck test, never a measure
+constexpr std::uint32_t kDomain = 21;
+
+class Failover : public testing::TestWithParam<Fleet> {
+ protected:
+  static DaemonOptions options(const char* name, const char* vendor) {
+    return {.name = name,
+            .vendor = vendor,
+            .domain = kDomain,
+            .robots = {good_robot("good", 2)},
+            .more = "metrics: {enabled: false}\n"};
+  }
+
+  void SetUp() override {
+    ASSERT_TRUE(eventually([&] { return client_.servers().size() == 2 && client_.robots().size() == 2; }));
+    for (const auto& server : client_.servers()) ASSERT_TRUE(client_.wait_for_server(kSoon, server.info.key()));
+    for (const auto& server : client_.servers())
+      if (server.info.name() == "one") first_ = server.info.key();
+  }
+
+  // The daemon that has the plan.
+  Daemon& its(const client::Plan& plan) { return plan.server() == first_ ? one_ : two_; }
+
+  static void expect_whole(const client::Plan& plan, std::uint32_t steps) {
+    const auto record = plan.record();
+    ASSERT_EQ(record.steps.size(), steps);
+    for (std::uint32_t i = 0; i < steps; ++i) ASSERT_EQ(record.steps[i].index(), i);
+  }
+
+  // What each server answers about a request.
+  std::map<msg::Id, msg::PlanEvent> answers(const msg::Id& request) {
+    Wire wire(GetParam().client, kDomain);
+    EXPECT_TRUE(wire.connect("good"));
+    std::map<msg::Id, msg::PlanEvent> found;
+    EXPECT_TRUE(wire.wait_until(kSoon, [&] {
+      wire.query(request, 1000000);
+      found.clear();
+      for (const auto& event : wire.events(request)) found[event.message.server()] = event.message;
+      return found.size() == 2 && std::ranges::all_of(found, [](const auto& e) { return msg::is_final(e.second.state()); });
+    }));
+    return found;
+  }
+
+  Daemon one_{options("one", GetParam().one)};
+  Daemon two_{options("two", GetParam().two)};
+  client::Client client_{{.vendor = GetParam().client, .domain = kDomain, .network_config = {}}};
+  msg::Id first_{};  // the id of one_
+};
+
+TEST_P(Failover, AKilledServersPlanIsMadeByTheOtherAndNotAgainByItself) {
+  for (const bool resume : {false, true}) {
+    SCOPED_TRACE(resume ? "resume" : "no resume");
+    msg::PlanRequest request = paced_request("good", 500, 0.01);
+    request.resume(resume);
+    client::Plan plan = client_.submit(request);
+    ASSERT_TRUE(eventually([&] { return plan.steps_ready() >= 20; }));
+    const msg::Id lost = plan.server();
+    Daemon& daemon = its(plan);
+    daemon.kill();
+    ASSERT_TRUE(eventually([&] { return plan.traffic().moves == 1; }));
+    const std::size_t before = plan.steps_ready();
+    daemon.start();  // while the other plans
+    const auto end = plan.wait(kSoon);
+    ASSERT_TRUE(end);
+    EXPECT_EQ(end->state(), msg::SUCCEEDED) << describe(*end);
+    EXPECT_NE(end->server(), lost);
+    expect_whole(plan, 500);
+    EXPECT_GE(before, 20u);
+
+    ASSERT_TRUE(eventually([&] { return std::ranges::all_of(client_.servers(), [](const auto& s) { return s.alive; }); }));
+    auto ends = answers(plan.id());
+    EXPECT_EQ(ends[end->server()].state(), msg::SUCCEEDED);
+    EXPECT_EQ(ends[lost].state(), resume ? msg::CANCELLED : msg::FAILED) << describe(ends[lost]);
+    EXPECT_EQ(ends[lost].error().code(), resume ? msg::MOVED : msg::SERVER_RESTARTED) << describe(ends[lost]);
+    EXPECT_LT(ends[lost].steps(), 200u) << "it has planned on";
+    // Who asks for the id alone gets the plan that counts.
+    client::Client later({.vendor = GetParam().client, .domain = kDomain, .network_config = {}});
+    ASSERT_TRUE(eventually([&] { return later.servers().size() == 2; }));
+    client::Plan asked = later.query(plan.id());
+    const auto answer = asked.wait(kSoon);
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->state(), msg::SUCCEEDED) << describe(*answer);
+    expect_whole(asked, 500);
+  }
+}
+
+TEST_P(Failover, AHaltedServerIsToldWhenItGoesOn) {
+  client::Plan plan = client_.submit(paced_request("good", 300, 0.01));
+  ASSERT_TRUE(eventually([&] { return plan.steps_ready() >= 20; }));
+  const msg::Id lost = plan.server();
+  Daemon& daemon = its(plan);
+  daemon.signal(SIGSTOP);
+  ASSERT_TRUE(eventually([&] { return plan.traffic().moves == 1; }));
+  daemon.signal(SIGCONT);
+  const auto end = plan.wait(kSoon);
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->state(), msg::SUCCEEDED) << describe(*end);
+  EXPECT_NE(end->server(), lost) << "though the first may have ended it as well";
+  expect_whole(plan, 300);
+  const auto record = plan.record();
+  EXPECT_EQ(record.steps.back().server(), end->server());
+}
+
+TEST_P(Failover, AServerThatStopsPassesItsPlansOn) {
+  client::Plan plan = client_.submit(paced_request("good", 200, 0.01));
+  ASSERT_TRUE(eventually([&] { return plan.steps_ready() >= 20; }));
+  EXPECT_EQ(its(plan).stop(), 0);
+  const auto end = plan.wait(kSoon);
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->state(), msg::SUCCEEDED) << describe(*end);
+  EXPECT_EQ(plan.traffic().moves, 1u);
+  expect_whole(plan, 200);
+}
+
+TEST_P(Failover, UnderLoadEveryRequestEnds) {
+  std::vector<client::Plan> plans;
+  for (int i = 0; i < 60; ++i) plans.push_back(client_.submit(paced_request("good", 10, 0.005)));
+  ASSERT_TRUE(eventually([&] { return plans.front().ended(); }));
+  its(plans.back()).kill();
+  std::size_t moved = 0;
+  std::set<msg::Id> servers;
+  for (client::Plan& plan : plans) {
+    servers.insert(plan.server());
+    const auto end = plan.wait(kSoon);
+    ASSERT_TRUE(end);
+    EXPECT_EQ(end->state(), msg::SUCCEEDED) << describe(*end);
+    expect_whole(plan, 10);
+    moved += plan.traffic().moves;
+  }
+  EXPECT_GE(moved, 1u);
+  EXPECT_EQ(servers.size(), 2u) << "the load was shared";
+}
+
+INSTANTIATE_TEST_SUITE_P(Fleets, Failover,
+                         testing::Values(Fleet{"cyclone", "cyclone", "cyclone"}, Fleet{"fastdds", "fastdds", "fastdds"},
+                                         Fleet{"cyclone", "fastdds", "cyclone"}, Fleet{"cyclone", "fastdds", "fastdds"}),
+                         [](const auto& fleet) {
+                           return std::string(fleet.param.one) + "_" + fleet.param.two + "_" + fleet.param.client;
+                         });
+
+}  // namespace
+}  // namespace foothold::test
