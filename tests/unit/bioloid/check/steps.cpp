@@ -32,7 +32,11 @@ Coordinates standing_with(const Model& model, const Isometry3d& right, const Iso
 }
 
 Posture standing(const Model& model, double pelvis) {
-  const Isometry3d right = at({0, -0.0385, 0}, 0), left = at({0, 0.0385, 0}, 0);
+  const auto place = [&](Side side) {
+    const Vector3d sole = sole_in_torso(model, side, Joints::Zero()).translation();
+    return at({0, sole.y(), 0}, 0);
+  };
+  const Isometry3d right = place(Side::kRight), left = place(Side::kLeft);
   Posture out = to_posture(standing_with(model, right, left, Vector2d::Zero(), pelvis, 0.0));
   out.stance = {{"right_foot", right, ""}, {"left_foot", left, ""}};
   return out;
