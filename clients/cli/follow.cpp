@@ -59,6 +59,13 @@ class Follower {
   }
 
   void look_at_server() {
+    if (const std::size_t moves = plan_.traffic().moves; moves != moves_) {
+      moves_ = moves;
+      lost_.reset();
+      if (!common_.json)
+        std::printf("its server cannot go on; server %s has the request now\n", msg::to_hex(plan_.server()).c_str());
+      std::fflush(stdout);
+    }
     if (!plan_.server_lost()) {
       if (lost_ && !common_.json) std::puts("the server is back");
       lost_.reset();
@@ -91,6 +98,7 @@ class Follower {
   std::size_t shown_ = 0;
   msg::State state_ = msg::UNKNOWN;
   std::optional<Clock::time_point> lost_;
+  std::size_t moves_ = 0;
   bool cancelled_ = false;
   std::size_t label_width_ = 0;
 };

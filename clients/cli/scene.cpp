@@ -49,7 +49,9 @@ msg::SceneStatus put_scene(const Connection& connection, const Common& common, c
   const auto bytes = std::as_bytes(std::span(contents));
   // A megabyte a second is far below what loopback carries.
   const double seconds = common.timeout + static_cast<double>(bytes.size()) / 1e6;
-  const auto verdict = connection.client->upload(name, form, bytes, seconds, connection.server.info.key());
+  // Whichever server is asked later is to have it.
+  if (connection.wanted == msg::kNoId) connection.client->wait_for_lists(common.timeout, kQuiet);
+  const auto verdict = connection.client->upload(name, form, bytes, seconds, connection.wanted);
   if (!verdict) throw Complaint(Exit::kNoServer, path + ": the server did not answer within " + duration(seconds));
   return *verdict;
 }

@@ -37,7 +37,7 @@ void Directory::add(const msg::RobotInfo& robot) {
 void Directory::add(const msg::SceneStatus& scene) {
   const std::lock_guard lock(mutex_);
   if (scene.state() == msg::STORED) scenes_[scene.key()] = scene;
-  if (const auto upload = uploads_.find(scene.upload()); upload != uploads_.end()) upload->second = scene;
+  if (const auto upload = uploads_.find(scene.upload()); upload != uploads_.end()) upload->second.push_back(scene);
   tell();
 }
 
@@ -170,14 +170,26 @@ std::optional<msg::Id> Directory::choose(const msg::PlanRequest& request, std::s
   return best->server.info.key();
 }
 
-std::optional<msg::SceneStatus> Directory::verdict(const msg::Id& upload, std::string_view name, std::string_view revision,
-                                                   bool any_of_it) const {
+std::optional<msg::SceneStatus> Directory::verdict(const msg::Id& upload, std::span<const msg::Id> servers, std::string_view name,
+                                                   std::string_view revision, bool any_of_it) const {
   const std::lock_guard lock(mutex_);
-  if (const auto answer = uploads_.find(upload); answer != uploads_.end() && answer->second) return answer->second;
-  if (any_of_it)
-    for (const auto& [key, scene] : scenes_)
-      if (scene.name() == name && scene.revision() == revision) return scene;
-  return std::nullopt;
+  const auto answer_of = [&](const msg::Id& server) -> const msg::SceneStatus* {
+    if (const auto answers = uploads_.find(upload); answers != uploads_.end())
+      for (const auto& answer : answers->second)
+        if (answer.server() == server) return &answer;
+    if (any_of_it)
+      for (const auto& [key, scene] : scenes_)
+        if (scene.server() == server && scene.name() == name && scene.revision() == revision) return &scene;
+    return nullptr;
+  };
+  const msg::SceneStatus* found = nullptr;
+  for (const msg::Id& server : servers) {
+    if (!is_alive(server)) continue;
+    const msg::SceneStatus* answer = answer_of(server);
+    if (answer == nullptr) return std::nullopt;
+    if (found == nullptr || answer->state() == msg::REFUSED) found = answer;
+  }
+  return found == nullptr ? std::nullopt : std::optional(*found);
 }
 
 bool Directory::wait_open(double seconds, const msg::Id& server) const {

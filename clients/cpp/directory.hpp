@@ -46,9 +46,11 @@ class Directory {
   // Answers to this upload are kept from now on, until it is forgotten.
   void expect(const msg::Id& upload);
   void forget(const msg::Id& upload);
-  // What became of an upload: the answer to it, or, if any_of_it, the same file stored by whomever.
-  std::optional<msg::SceneStatus> verdict(const msg::Id& upload, std::string_view name, std::string_view revision,
-                                          bool any_of_it) const;
+  // What became of an upload at those servers that are still alive: a refusal if there is one; nothing while an answer is missing
+  // or none of them is alive. A server's answer is the one to this upload or, if any_of_it, that it has the same file from
+  // whomever.
+  std::optional<msg::SceneStatus> verdict(const msg::Id& upload, std::span<const msg::Id> servers, std::string_view name,
+                                          std::string_view revision, bool any_of_it) const;
 
   bool wait_open(double seconds, const msg::Id& server) const;
   std::optional<msg::RobotInfo> wait_robot(std::string_view name, double seconds, const msg::Id& server) const;
@@ -72,7 +74,7 @@ class Directory {
   std::unordered_map<msg::Id, Seen, msg::IdHash> servers_;
   std::unordered_map<msg::Id, msg::RobotInfo, msg::IdHash> robots_;
   std::unordered_map<msg::Id, msg::SceneStatus, msg::IdHash> scenes_;
-  std::unordered_map<msg::Id, std::optional<msg::SceneStatus>, msg::IdHash> uploads_;  // that are expected
+  std::unordered_map<msg::Id, std::vector<msg::SceneStatus>, msg::IdHash> uploads_;  // answers to those that are expected
   bool open_ = false;
   Clock::time_point changed_ = Clock::now();
 };

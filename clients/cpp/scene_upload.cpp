@@ -1,4 +1,4 @@
-// A file goes up in pieces of 64 kB; the server answers once it has them all. P26, P27.
+// A file goes up in pieces of 64 kB, once for all servers; each answers when it has them all. P26, P27, P40.
 #include <algorithm>
 #include <thread>
 
@@ -28,8 +28,8 @@ std::optional<msg::SceneStatus> Client::upload(const std::string& name, const st
   msg::SceneChunk chunk;
   chunk.upload(msg::random_id());
   chunk.client(id());
-  // One server is to keep it, and to say so.
-  chunk.server(server != msg::kNoId ? server : impl_->directory.alive().at(0));
+  chunk.server(server);
+  const std::vector<msg::Id> servers = server == msg::kNoId ? impl_->directory.alive() : std::vector{server};
   chunk.name(name);
   chunk.format(format);
   chunk.revision(msg::sha256_hex({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
@@ -45,13 +45,13 @@ std::optional<msg::SceneStatus> Client::upload(const std::string& name, const st
     chunk.data().assign(octets, octets + piece.size());
     while (!impl_->outgoing->try_send(chunk) && until(end) > 0.0) std::this_thread::sleep_for(kFullPause);
     offset += piece.size();
-    verdict = directory.verdict(chunk.upload(), name, chunk.revision(), false);
+    verdict = directory.verdict(chunk.upload(), servers, name, chunk.revision(), false);
   } while (offset < bytes.size() && until(end) > 0.0 && !verdict);
   // Somebody else who stores the same file at this moment may be the one whom the server's last word is for.
   const auto sent = Clock::now();
   while (until(end) > 0.0 && !verdict) {
     directory.wait_change(std::min(until(end), 0.05));
-    verdict = directory.verdict(chunk.upload(), name, chunk.revision(), Clock::now() - sent > kOwnAnswer);
+    verdict = directory.verdict(chunk.upload(), servers, name, chunk.revision(), Clock::now() - sent > kOwnAnswer);
   }
   directory.forget(chunk.upload());
   return verdict;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 
 #include "daemon.hpp"
 #include "eventually.hpp"
@@ -154,6 +155,47 @@ TEST_P(Failover, UnderLoadEveryRequestEnds) {
   }
   EXPECT_GE(moved, 1u);
   EXPECT_EQ(servers.size(), 2u) << "the load was shared";
+}
+
+// P40
+TEST_P(Failover, ASceneGoesToAllServersAndAPlanToOneThatHasIt) {
+  const std::string yard = "ground: 1\n", garden = "ground: 2\n";
+  const auto put = [&](const std::string& name, const std::string& text, const msg::Id& server) {
+    const auto verdict = client_.upload(name, "yaml", std::as_bytes(std::span(text)), kSoon, server);
+    ASSERT_TRUE(verdict);
+    ASSERT_EQ(verdict->state(), msg::STORED) << verdict->error().message();
+  };
+  put("yard", yard, msg::kNoId);
+  put("garden", garden, first_);
+  std::map<std::string, std::size_t> holders;
+  for (const auto& scene : client_.scenes()) ++holders[scene.name()];
+  EXPECT_EQ(holders, (std::map<std::string, std::size_t>{{"garden", 1}, {"yard", 2}}));
+
+  msg::PlanRequest request = paced_request("good", 200, 0.01);
+  request.scene("garden");
+  client::Plan only_there = client_.submit(request);
+  EXPECT_TRUE(eventually([&] { return only_there.steps_ready() > 0; }));
+  EXPECT_EQ(only_there.server(), first_);
+  request.id(msg::random_id());
+  request.scene("yard");
+  std::vector<client::Plan> everywhere;
+  for (int i = 0; i < 2; ++i) {
+    request.id(msg::random_id());
+    everywhere.push_back(client_.submit(request));
+  }
+  for (const auto& plan : everywhere) EXPECT_TRUE(eventually([&] { return plan.steps_ready() > 0; }));
+  one_.kill();
+  const auto nowhere = only_there.wait(kSoon);
+  ASSERT_TRUE(nowhere);
+  EXPECT_EQ(nowhere->state(), msg::REJECTED) << describe(*nowhere);
+  EXPECT_EQ(nowhere->error().code(), msg::UNKNOWN_SCENE);
+  EXPECT_EQ(nowhere->steps(), only_there.record().steps.size()) << "which stay";
+  for (const auto& plan : everywhere) {
+    const auto end = plan.wait(kSoon);
+    ASSERT_TRUE(end);
+    EXPECT_EQ(end->state(), msg::SUCCEEDED) << describe(*end);
+    expect_whole(plan, 200);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Fleets, Failover,

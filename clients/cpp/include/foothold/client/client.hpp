@@ -89,7 +89,8 @@ class Client {
 
   // ---- scenes
   // Sends a file's octets and waits for the verdict: SceneStatus with state STORED or REFUSED and its error. `format`: yaml, stl,
-  // obj or ply. Nothing if no server answered within `seconds`. Waits.
+  // obj or ply. `server` zero: to all that are alive, so that any of them can plan with it; the verdict is then a refusal if one of
+  // them refuses. Nothing if one that is alive did not answer within `seconds`. Waits.
   std::optional<msg::SceneStatus> upload(const std::string& name, const std::string& format, std::span<const std::byte> bytes,
                                          double seconds, const msg::Id& server = msg::kNoId);
 
