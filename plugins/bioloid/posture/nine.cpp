@@ -3,6 +3,9 @@
 #include "bioloid/posture/nine.hpp"
 
 #include <cmath>
+#include <numbers>
+
+#include "bioloid/posture/lanes.hpp"
 
 namespace foothold::bioloid {
 namespace {
@@ -28,23 +31,34 @@ bool couple(const Model& model, Side support, const Nine& free, double heading, 
   for (std::size_t k = 0; k < kLegJoints; ++k) joints[joint(support, k)] = free[static_cast<int>(k)];
   for (std::size_t k = 1; k < 4; ++k) joints[joint(swing, k)] = free[static_cast<int>(k + 5)];
 
-  const Matrix3d wanted = sole_turn(model, support, joints) * Eigen::AngleAxisd(heading, Vector3d::UnitZ()).toRotationMatrix();
-  const Vector3d f = wanted.col(0);
-  const auto sign = [&](std::size_t k) { return model.sign(swing, k); };
-  const double roll = sign(1) * joints[joint(swing, 1)], cosine = std::cos(roll), sine = std::sin(roll);
+  // The supporting sole's axes in the torso's frame: Rz(yaw) Rx(roll) Ry(pitch) Rx(ankle).
+  const auto angle = [&](Side side, std::size_t k) { return model.sign(side, k) * joints[joint(side, k)]; };
+  Lanes sines, cosines;
+  sine_and_cosine(Lanes{angle(support, 0), angle(support, 1)}, sines, cosines);
+  const double sy = sines[0], cy = cosines[0], sr = sines[1], cr = cosines[1];
+  sine_and_cosine(Lanes{angle(support, 2) + angle(support, 3) + angle(support, 4), angle(support, 5)}, sines, cosines);
+  const double sp = sines[0], cp = cosines[0], sa = sines[1], ca = cosines[1];
+  sine_and_cosine(Lanes{angle(swing, 1), heading}, sines, cosines);
+  const double sine = sines[0], cosine = cosines[0], sh = sines[1], ch = cosines[1];
+  const Vector3d x(cy * cp - sy * sr * sp, sy * cp + cy * sr * sp, -cr * sp), across(-sy * cr, cy * cr, sr);
+  const Vector3d upright(cy * sp + sy * sr * cp, sy * sp - cy * sr * cp, cr * cp);
+  const Vector3d y = ca * across + sa * upright, z = ca * upright - sa * across;
+  const Vector3d f = ch * x + sh * y, left = ch * y - sh * x;  // the swing sole's, as wanted
+
   const double sine_t = -f.z() / cosine;
   if (!(std::abs(sine_t) < 1.0)) return false;
   const double cosine_t = std::sqrt((1.0 - sine_t) * (1.0 + sine_t));
-  // f is (nearly) upright, or the roll so great that every yaw gives the same: no heading.
-  if (!(std::hypot(f.x(), f.y()) > 1e-6)) return false;
-  const double yaw = std::atan2(f.y(), f.x()) - std::atan2(sine * sine_t, cosine_t);
-  const Vector3d y(-std::sin(yaw) * cosine, std::cos(yaw) * cosine, sine);  // the leg's pitch axis
-  const double ankle_roll = std::atan2(-y.dot(wanted.col(2)), y.dot(wanted.col(1)));
-  const double pitch = std::atan2(sine_t, cosine_t) - sign(2) * joints[joint(swing, 2)] - sign(3) * joints[joint(swing, 3)];
-  constexpr double kTurn = 6.283185307179586476925286766559;
-  joints[joint(swing, 0)] = sign(0) * std::remainder(yaw, kTurn);
-  joints[joint(swing, 4)] = sign(4) * std::remainder(pitch, kTurn);
-  joints[joint(swing, 5)] = sign(5) * ankle_roll;
+  // f is (nearly) upright: no heading.
+  const double flat = f.x() * f.x() + f.y() * f.y();
+  if (!(flat > 1e-12)) return false;
+  // The yaw turns (cos t, sin roll sin t) to (f.x, f.y), which is as long.
+  const double along = cosine_t * f.x() + sine * sine_t * f.y(), turned = cosine_t * f.y() - sine * sine_t * f.x();
+  const Vector3d pitch_axis(-turned / flat * cosine, along / flat * cosine, sine);
+  double pitch = std::asin(sine_t) - angle(swing, 2) - angle(swing, 3);
+  if (std::abs(pitch) > std::numbers::pi) pitch = std::remainder(pitch, 2.0 * std::numbers::pi);
+  joints[joint(swing, 0)] = model.sign(swing, 0) * std::atan2(turned, along);
+  joints[joint(swing, 4)] = model.sign(swing, 4) * pitch;
+  joints[joint(swing, 5)] = model.sign(swing, 5) * std::atan2(-pitch_axis.dot(z), pitch_axis.dot(left));
   return true;
 }
 
