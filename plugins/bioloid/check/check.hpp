@@ -25,7 +25,7 @@ struct CheckOptions {
 // following is proved all along these lines, by screws and bounds on their motion: the foot that moves stands within `slip` of its
 // old or new contact or is on its way, then its sole is above the ground (at the points) and never lower than -`ground`; bodies
 // keep `clearance` among themselves and from obstacles, none but the feet reaches the ground; the centre of mass stays `balance`
-// inside the soles' hull. `clearance` is proved to 1e-5 m. The other foot is what the robot is seen from.
+// inside the soles' hull. Distances are proved to 1e-5 m, all else to 1e-6. The other foot is what the robot is seen from.
 //
 // Margins: clearance (m, looked for up to 0.1 m), balance (m), limits (rad), speed (share of the servos' speed left), slip (m and
 // rad: what is left of the tolerance; if a second sole stands), ground (m, of the moving foot's lowest corner) and lift (m, the
