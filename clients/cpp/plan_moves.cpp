@@ -122,6 +122,7 @@ bool PlanState::move(const msg::Id& server, Time now) {
     if (request_.scene_revision().empty()) request_.scene_revision(revision_);
     if (std::exchange(lost_, false)) untold_.push_back({std::nullopt, false});
     refusal_.reset();
+    final_.reset();  // of steps that never came
     state_ = msg::UNKNOWN;
     sent_ = heard_ = word_ = false;
     announced_ = 0;

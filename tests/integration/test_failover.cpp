@@ -76,7 +76,7 @@ class Failover : public testing::TestWithParam<Fleet> {
 TEST_P(Failover, AKilledServersPlanIsMadeByTheOtherAndNotAgainByItself) {
   for (const bool resume : {false, true}) {
     SCOPED_TRACE(resume ? "resume" : "no resume");
-    msg::PlanRequest request = paced_request("good", 500, 0.01);
+    msg::PlanRequest request = paced_request("good", 300, 0.01);
     request.resume(resume);
     client::Plan plan = client_.submit(request);
     ASSERT_TRUE(eventually([&] { return plan.steps_ready() >= 20; }));
@@ -90,7 +90,7 @@ TEST_P(Failover, AKilledServersPlanIsMadeByTheOtherAndNotAgainByItself) {
     ASSERT_TRUE(end);
     EXPECT_EQ(end->state(), msg::SUCCEEDED) << describe(*end);
     EXPECT_NE(end->server(), lost);
-    expect_whole(plan, 500);
+    expect_whole(plan, 300);
     EXPECT_GE(before, 20u);
 
     ASSERT_TRUE(eventually([&] { return std::ranges::all_of(client_.servers(), [](const auto& s) { return s.alive; }); }));
@@ -106,7 +106,7 @@ TEST_P(Failover, AKilledServersPlanIsMadeByTheOtherAndNotAgainByItself) {
     const auto answer = asked.wait(kSoon);
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->state(), msg::SUCCEEDED) << describe(*answer);
-    expect_whole(asked, 500);
+    expect_whole(asked, 300);
   }
 }
 

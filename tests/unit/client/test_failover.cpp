@@ -143,6 +143,21 @@ TEST_F(Failover, AFailureOfTheSecondServerLeavesTheStepsOfTheFirst) {
   EXPECT_EQ(plan_->record().steps.size(), 4u);
 }
 
+TEST_F(Failover, AnEndWhoseStepsDidNotComeIsMadeAnewToo) {
+  for (ScriptedServer* server : {&a_, &b_}) server->set_script({.steps = 5});
+  network_.set_faults(transport::Topic::kStep, {.loss = 1.0});
+  submit(request());
+  ASSERT_TRUE(eventually([&] { return plan_->state() == msg::SUCCEEDED; }));
+  EXPECT_FALSE(plan_->ended());
+  other().set_script({.fail = msg::NO_PATH});
+  its().fall_silent(true);
+  ASSERT_TRUE(network_.settle());
+  network_.set_faults(transport::Topic::kStep, {});
+  const auto end = plan_->wait(kSoon);
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->error().code(), msg::NO_PATH);
+}
+
 TEST_F(Failover, WhatTheFirstServerSaysAfterwardsChangesNothingAndItIsTold) {
   ScriptedServer& lost = lose_its_server({.steps = 4, .ends = false});
   ASSERT_TRUE(eventually([&] { return plan_->server() != lost.id() && plan_->state() == msg::RUNNING; }));
