@@ -12,7 +12,7 @@ install(TARGETS foothold-worker RUNTIME DESTINATION ${private_dir})
 get_property(planners GLOBAL PROPERTY FOOTHOLD_PLANNERS)
 install(TARGETS ${planners} LIBRARY DESTINATION ${private_dir}/plugins)
 install(FILES config/footholdd.yaml DESTINATION ${FOOTHOLD_CONFIG_DIR})
-install(DIRECTORY config/robots config/scenes DESTINATION ${FOOTHOLD_CONFIG_DIR} FILES_MATCHING PATTERN "*.yaml")
+install(DIRECTORY config/robots config/scenes DESTINATION ${FOOTHOLD_CONFIG_DIR} FILES_MATCHING PATTERN "*.yaml" PATTERN "*.urdf")
 install(DIRECTORY config/dds config/requests DESTINATION ${share_dir})
 # The requests name their scenes as ../scenes/*.
 install(DIRECTORY config/scenes DESTINATION ${share_dir} FILES_MATCHING PATTERN "*.yaml")
@@ -23,7 +23,8 @@ install(FILES server/footholdd.8 DESTINATION ${CMAKE_INSTALL_MANDIR}/man8)
 install(FILES idl/foothold.idl idl/PROTOCOL.md DESTINATION ${share_dir}/idl)
 
 # What an administrator may change is kept in upgrades.
-file(GLOB conffiles CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/config config/footholdd.yaml config/robots/*.yaml config/scenes/*.yaml)
+file(GLOB conffiles CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/config config/footholdd.yaml config/robots/*.yaml
+  config/robots/*.urdf config/scenes/*.yaml)
 list(TRANSFORM conffiles PREPEND ${FOOTHOLD_CONFIG_DIR}/)
 list(JOIN conffiles "\n" conffiles)
 file(CONFIGURE OUTPUT debian/conffiles CONTENT "${conffiles}\n" @ONLY)
