@@ -9,6 +9,7 @@
 
 #include "foothold/client/nearest_name.hpp"
 #include "foothold/transport/bus.hpp"
+#include "past.hpp"
 #include "terminal.hpp"
 #include "version.hpp"
 
@@ -21,6 +22,8 @@ struct Everything {
   RobotsOptions robots;
   PlanOptions plan;
   ReplayOptions replay;
+  HistoryOptions history;
+  TopOptions top;
   CancelOptions cancel;
   StateOptions state;
   ScenePutOptions scene_put;
@@ -75,6 +78,13 @@ void declare_common(Everything& all) {
   all.app.add_flag("--json", common.json, "Print one JSON object a line, for scripts");
 }
 
+void declare_state_dir(CLI::App& sub, std::string& folder) {
+  sub.add_option("--state-dir", folder,
+                 "The server's state folder on this host, whose journal is read; " + std::string(kStateFolder) + " unless given")
+      ->envname("FOOTHOLD_STATE_DIR")
+      ->type_name("DIR");
+}
+
 void declare_planning(Everything& all) {
   CLI::App* robots =
       command(all, all.app, "robots", "List what the servers plan for", [&all] { return run_robots(all.common, all.robots); });
@@ -98,9 +108,14 @@ void declare_planning(Everything& all) {
   plan->add_option("-o,--output", all.plan.output, "Write the whole plan to a JSON file")->type_name("FILE");
   plan->footer("Ctrl-C cancels the request and waits for its end; a second Ctrl-C leaves at once.");
 
-  CLI::App* replay = command(all, all.app, "replay", "Plan anew what a plan file holds, and compare step by step",
+  CLI::App* replay = command(all, all.app, "replay", "Plan anew what was planned before, and compare octet for octet",
                              [&all] { return run_replay(all.common, all.replay); });
-  replay->add_option("plan", all.replay.file, "A plan as 'foothold plan -o' writes it")->required()->type_name("FILE");
+  replay
+      ->add_option("plan", all.replay.source,
+                   "A plan as 'foothold plan -o' writes it, a bundle of the server's state folder, or a request's id")
+      ->required()
+      ->type_name("FILE");
+  declare_state_dir(*replay, all.replay.state_dir);
   replay->add_option("-o,--output", all.replay.output, "Write the new plan to a JSON file")->type_name("FILE");
 }
 
@@ -122,6 +137,31 @@ void declare_asking(Everything& all) {
   put->add_option("file", all.scene_put.file, "A file that ends in .yaml, .stl, .obj or .ply")->required()->type_name("FILE");
   put->add_option("--name", all.scene_put.name, "Its name; without it the file's, less the ending")->type_name("NAME");
   command(all, *scene, "list", "List the stored scenes", [&all] { return run_scene_list(all.common); });
+}
+
+void declare_past(Everything& all) {
+  HistoryOptions& options = all.history;
+  CLI::App* history = command(all, all.app, "history", "List what the server's journal on this host holds, whether it runs or not",
+                              [&all] { return run_history(all.common, all.history); });
+  history->add_option("id", options.id, "Only this request, in full")->type_name("ID");
+  declare_state_dir(*history, options.state_dir);
+  history->add_option("--robot", options.robot, "Only this robot's")->type_name("NAME");
+  history->add_option("--unit", options.unit, "Only this individual's")->type_name("NAME");
+  history->add_option("--state", options.state, "Only in this state, such as CRASHED or UNFINISHED")->type_name("STATE");
+  history->add_option("--client", options.client, "Only this client's")->type_name("ID");
+  history->add_option("--since", options.since, "Only those received in these last seconds")->check(kSeconds)->type_name("SECONDS");
+  history->add_option("-n,--most", options.most, "At most so many, the newest")
+      ->check(CLI::Range(1u, 1000000000u).description(""))
+      ->type_name("NUMBER");
+  history->add_option("-o,--output", options.output, "With an id: write the whole plan to a JSON file")->type_name("FILE");
+  history->footer(
+      "The journal is read as a file, which takes the right to read it (root, or the server's user): a list of everybody's\n"
+      "requests over DDS would let every client cancel them. A request whose id you know is shown to you by 'foothold state'.");
+
+  CLI::App* top = command(all, all.app, "top", "Watch servers, robots and running requests, of the whole fleet, live",
+                          [&all] { return run_top(all.common, all.top); });
+  top->add_option("--interval", all.top.interval, "Time between two pictures")->check(kSeconds)->type_name("SECONDS");
+  top->add_option("--count", all.top.count, "End after so many pictures; without it Ctrl-C ends it")->type_name("NUMBER");
 }
 
 void declare_looking(Everything& all) {
@@ -294,6 +334,7 @@ std::function<Exit()> parse(int count, char** words) {
   declare_common(*all);
   declare_planning(*all);
   declare_asking(*all);
+  declare_past(*all);
   declare_looking(*all);
   declare_security(*all);
   declare_generate(*all);

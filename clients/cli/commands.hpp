@@ -38,8 +38,22 @@ struct PlanOptions {
 };
 
 struct ReplayOptions {
-  std::string file;
+  std::string source;  // a plan file, a bundle's folder, or a request's id
+  std::string state_dir, output;
+};
+
+struct HistoryOptions {
+  std::string id;  // empty: a list
+  std::string state_dir;
+  std::string robot, unit, state, client;  // empty: any
+  double since = 0.0;                      // s back; 0: all
+  std::size_t most = 20;
   std::string output;
+};
+
+struct TopOptions {
+  double interval = 1.0;  // s
+  std::size_t count = 0;  // 0: until Ctrl-C
 };
 
 struct CancelOptions {
@@ -78,6 +92,8 @@ struct SecurityOptions {
 Exit run_robots(const Common& common, const RobotsOptions& options);
 Exit run_plan(const Common& common, const PlanOptions& options);
 Exit run_replay(const Common& common, const ReplayOptions& options);
+Exit run_history(const Common& common, const HistoryOptions& options);
+Exit run_top(const Common& common, const TopOptions& options);
 Exit run_cancel(const Common& common, const CancelOptions& options);
 Exit run_state(const Common& common, const StateOptions& options);
 Exit run_scene_put(const Common& common, const ScenePutOptions& options);

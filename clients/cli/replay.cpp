@@ -1,5 +1,5 @@
-// foothold replay FILE: asks for the plan of a file once more, under a new id, with its seed, scene revision and parameters, and
-// compares octet for octet.
+// foothold replay: asks once more for the plan of a file, a bundle or the journal, under a new id, with its seed, scene revision
+// and parameters, and compares octet for octet.
 #include <algorithm>
 
 #include "connection.hpp"
@@ -7,6 +7,7 @@
 #include "foothold/client/plan_file.hpp"
 #include "foothold/msg/cdr.hpp"
 #include "foothold/msg/errors.hpp"
+#include "past.hpp"
 #include "report.hpp"
 #include "terminal.hpp"
 
@@ -47,19 +48,27 @@ std::vector<std::vector<std::string>> differences(const msg::Summary& before, co
   return rows;
 }
 
+// A request that is refused has no summary: then what the server announces is what is different now.
+msg::Summary present(const msg::Summary& before, const msg::PlanEvent& end, const Connection& connection) {
+  if (!end.summary().plugin().empty()) return end.summary();
+  msg::Summary now = before;
+  now.server_version(connection.server.info.version());
+  if (const auto robot = connection.client->wait_for_robot(before.robot(), 0.0, connection.wanted)) {
+    now.plugin(robot->plugin());
+    now.plugin_version(robot->plugin_version());
+  }
+  return now;
+}
+
 }  // namespace
 
 Exit run_replay(const Common& common, const ReplayOptions& options) {
-  client::PlanRecord before;
-  try {
-    before = client::read_plan_file(options.file);
-  } catch (const client::PlanFileError& error) {
-    throw Complaint(Exit::kUsage, error.what());
-  }
+  const PastPlan past = past_plan(options.source, options.state_dir);
+  const client::PlanRecord& before = past.plan;
   const msg::Summary& summary = before.final_event.summary();
   if (before.request.robot().empty() || summary.plugin().empty())
-    throw Complaint(Exit::kUsage, options.file + ": holds no request and summary to plan again",
-                    "'foothold plan ... -o FILE' writes a file that does, once the planner has run");
+    throw Complaint(Exit::kUsage, past.origin + ": holds no request and summary to plan again",
+                    "only what has run and ended can be compared; 'foothold plan ... -o FILE' writes a file that holds it");
   const Connection connection = connect(common);
   msg::PlanRequest request = before.request;
   request.id(msg::random_id());
@@ -81,7 +90,7 @@ Exit run_replay(const Common& common, const ReplayOptions& options) {
     if (!common.json) std::printf("the same plan: %zu steps, equal octet for octet\n", now.steps.size());
     return exit_of(end.state());
   }
-  const auto rows = differences(summary, end.summary());
+  const auto rows = differences(summary, present(summary, end, connection));
   if (!common.json && !rows.empty()) print_table(rows, "  ");
   std::string message = "another plan: it ended " + std::string(msg::state_name(end.state())) + ", before " +
                         std::string(msg::state_name(before.final_event.state()));

@@ -85,6 +85,9 @@ std::string to_json_line(const msg::Step& step) { return dump(Json{{"step", to_j
 std::string to_json_line(const msg::PlanEvent& event) { return dump(Json{{"event", to_json(event)}}); }
 std::string to_json_line(const msg::RobotInfo& robot) { return dump(Json{{"robot", to_json(robot)}}); }
 std::string to_json_line(const msg::SceneStatus& scene) { return dump(Json{{"scene", to_json(scene)}}); }
+std::string to_json_line(const PlanRecord& plan) {
+  return dump(Json{{"request", to_json(plan.request)}, {"event", to_json(plan.final_event)}});
+}
 std::string to_json_line(const msg::ServerInfo& server) { return dump(Json{{"server", to_json(server)}}); }
 
 }  // namespace foothold::client

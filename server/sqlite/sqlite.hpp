@@ -68,8 +68,9 @@ class Reset {
 
 class Database {
  public:
-  // Opens or creates. Waits up to 5 s for another process's lock. Throws Error.
-  explicit Database(const std::string& path);
+  enum class Access { kWrite, kRead };
+  // Opens, or with kWrite creates. Waits up to 5 s for another process's lock. Throws Error.
+  explicit Database(const std::string& path, Access access = Access::kWrite);
   // Several statements separated by ';', rows are not wanted.
   void run(const std::string& sql);
   Statement prepare(const std::string& sql);

@@ -58,6 +58,7 @@ class Daemon {
   void start();  // again, on the same state directory, after stop() or kill()
 
   std::string log() const;  // of all starts
+  std::string state_folder() const { return directory_ / "state"; }
   const DaemonOptions& options() const { return options_; }
 
  private:

@@ -32,5 +32,7 @@ std::string to_json_line(const msg::PlanEvent& event);
 std::string to_json_line(const msg::RobotInfo& robot);
 std::string to_json_line(const msg::SceneStatus& scene);
 std::string to_json_line(const msg::ServerInfo& server);
+// {"request": ..., "event": ...}, without scene and steps.
+std::string to_json_line(const PlanRecord& plan);
 
 }  // namespace foothold::client
