@@ -43,6 +43,7 @@ Daemon::Daemon(boost::asio::io_context& loop, Settings settings, std::function<S
   watch_hangups();
   figures_.set_robots(workers_.robots());
   open_metrics();
+  open_bundles();
   workers_.open(*this, [this] { open_bus(); });
 }
 
@@ -77,18 +78,18 @@ void Daemon::open_bus() {
                       Partitions::Hooks{.busy = [this](const Id& client) { return jobs_->busy_for(client); },
                                         .waiting = [this] { retry_soon(); },
                                         .complain = complain});
-  jobs_.emplace(
-      jobs_options(),
-      Jobs::Ports{journal_, workers_, scenes_, *partitions_, clock_, {&figures_}, [this] { return neighbour_heard_.load(); }},
-      [](const std::string& sentence) { spdlog::error("{}", sentence); });
+  jobs_.emplace(jobs_options(),
+                Jobs::Ports{journal_,
+                            workers_,
+                            scenes_,
+                            *partitions_,
+                            clock_,
+                            {&figures_, &request_log_, &*bundles_},
+                            [this] { return neighbour_heard_.load(); }},
+                [](const std::string& sentence) { spdlog::error("{}", sentence); });
   scenes_.open({.tell = [this](msg::SceneStatus status) { announcer_->scene(std::move(status)); },
-                .background =
-                    [this](std::function<void()> work, std::function<void()> then) {
-                      boost::asio::post(disk_, [this, work = std::move(work), then = std::move(then)] {
-                        work();
-                        boost::asio::post(loop_, then);
-                      });
-                    }});
+                .background = [this](std::function<void()> work,
+                                     std::function<void()> then) { in_background(std::move(work), std::move(then)); }});
   listen_to_neighbours();
   jobs_->recover();
   end_batch();
@@ -99,6 +100,13 @@ void Daemon::open_bus() {
   spdlog::info("server {} ({}) serves: {}", config_.name, msg::to_hex(journal_.server_id()), status());
   service::ready(status());
   if (reload_again_) reload();
+}
+
+void Daemon::in_background(std::function<void()> work, std::function<void()> then) {
+  boost::asio::post(disk_, [this, work = std::move(work), then = std::move(then)] {
+    work();
+    boost::asio::post(loop_, then);
+  });
 }
 
 JobsOptions Daemon::jobs_options() const {

@@ -20,6 +20,7 @@
 #include <optional>
 #include <vector>
 
+#include "bundles/bundles.hpp"
 #include "config/config.hpp"
 #include "foothold/transport/bus.hpp"
 #include "http/http.hpp"
@@ -29,6 +30,7 @@
 #include "net/announcer.hpp"
 #include "net/inbox.hpp"
 #include "net/partitions.hpp"
+#include "request_log.hpp"
 #include "scenes/scenes.hpp"
 #include "state_folder.hpp"
 #include "workers/workers.hpp"
@@ -71,12 +73,14 @@ class Daemon final : private RunEvents {
   // reloading
   void watch_hangups();
   void reload();
+  void in_background(std::function<void()> work, std::function<void()> then);
   void take_settings(Settings settings);
   void refuse_settings(const std::vector<std::string>& faults);
   void end_reload();
 
   // watching
   void open_metrics();
+  void open_bundles();
   HttpAnswer answer(std::string_view path);
   ServerState look() const;
 
@@ -100,6 +104,8 @@ class Daemon final : private RunEvents {
   Workers workers_;
 
   RequestFigures figures_;
+  RequestLog request_log_;
+  std::optional<Bundles> bundles_;
   std::optional<HttpServer> http_;
   std::string metrics_text_;  // what /metrics said last,
   Time metrics_made_{};       // and when

@@ -1,7 +1,4 @@
 // footholdd: reads the configuration, opens the server, runs it until a signal.
-#include <spdlog/sinks/stdout_sinks.h>
-#include <spdlog/spdlog.h>
-
 #include <boost/asio/io_context.hpp>
 #include <csignal>
 #include <cstdio>
@@ -12,6 +9,7 @@
 #include "config/reading.hpp"
 #include "daemon.hpp"
 #include "exposure.hpp"
+#include "log/log.hpp"
 
 namespace foothold::server {
 namespace fs = std::filesystem;
@@ -51,14 +49,6 @@ ServerConfig configured(const CommandLine& line) {
   return config;
 }
 
-void open_log(const std::string& level) {
-  auto log = std::make_shared<spdlog::logger>("footholdd", std::make_shared<spdlog::sinks::stderr_sink_mt>());
-  log->set_pattern("%Y-%m-%dT%H:%M:%S.%eZ %l %v", spdlog::pattern_time_type::utc);
-  log->set_level(spdlog::level::from_str(level));
-  log->flush_on(spdlog::level::info);
-  spdlog::set_default_logger(log);
-}
-
 Settings settings_of(const CommandLine& line) {
   Settings settings{configured(line), {}};
   settings.robots = read_robots(settings.server);
@@ -73,7 +63,7 @@ int serve(const CommandLine& line) {
     std::printf("%s and %zu robots: no fault\n", line.config.c_str(), settings.robots.size());
     return kStopped;
   }
-  open_log(settings.server.log_level);
+  log::open(settings.server.log_level);
   std::signal(SIGPIPE, SIG_IGN);
   boost::asio::io_context loop(1);
   Daemon daemon(loop, std::move(settings), [line] { return settings_of(line); });

@@ -8,6 +8,7 @@
 
 #include "config/faults.hpp"
 #include "daemon.hpp"
+#include "log/log.hpp"
 #include "service.hpp"
 
 namespace foothold::server {
@@ -65,7 +66,8 @@ void Daemon::take_settings(Settings settings) {
   const bool metrics_changed = now.metrics != config_.metrics || (now.metrics.enabled && !http_);
   config_ = std::move(now);
 
-  spdlog::set_level(spdlog::level::from_str(config_.log_level));
+  log::set_level(config_.log_level);
+  bundles_->set_config(config_.bundles);
   jobs_->set_options(jobs_options());
   scenes_.set_max_bytes(config_.scenes.max_bytes);
   for (const auto& folder : config_.scenes.preload)

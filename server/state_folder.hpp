@@ -23,6 +23,7 @@ class StateFolder {
   const std::string& path() const { return path_; }
   std::string journal() const { return path_ + "/journal.db"; }
   std::string scenes() const { return path_ + "/scenes"; }
+  std::string bundles() const { return path_ + "/bundles"; }
 
  private:
   std::string path_;

@@ -34,6 +34,15 @@ void Daemon::open_metrics() {
   }
 }
 
+void Daemon::open_bundles() {
+  bundles_.emplace(
+      state_.bundles(), state_.journal(), FOOTHOLD_VERSION + (" " + msg::to_hex(journal_.server_id())), config_.bundles,
+      Bundles::Hooks{.background = [this](std::function<void()> work,
+                                          std::function<void()> then) { in_background(std::move(work), std::move(then)); },
+                     .tell = [](const std::string& place) { spdlog::warn("a bundle to look into: {}", place); },
+                     .complain = [](const std::string& sentence) { spdlog::error("{}", sentence); }});
+}
+
 HttpAnswer Daemon::answer(std::string_view path) {
   if (path == "/metrics") {
     if (metrics_text_.empty() || clock_.now() - metrics_made_ >= kFresh) {

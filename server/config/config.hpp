@@ -54,6 +54,12 @@ struct AdmissionConfig {
   bool operator==(const AdmissionConfig&) const = default;
 };
 
+// `bundles:` What crashed and slow plans leave in the state folder.
+struct BundlesConfig {
+  double slow = 30.0;     // s of planning; 0: no plan is slow
+  std::size_t keep = 20;  // of crashed plans, and as many of slow ones; 0: none is made
+};
+
 struct ServerConfig {
   std::string name = "foothold";
   DdsConfig dds;
@@ -70,6 +76,7 @@ struct ServerConfig {
   WorkersConfig workers;
   ScenesConfig scenes;
   MetricsConfig metrics;
+  BundlesConfig bundles;
   std::string log_level = "info";  // trace, debug, info, warn, error, off
 };
 

@@ -62,6 +62,12 @@ void read_metrics(Section metrics, MetricsConfig& out) {
   metrics.end();
 }
 
+void read_bundles(Section bundles, BundlesConfig& out) {
+  bundles.seconds("slow", out.slow, kTime);
+  bundles.count("keep", out.keep, {0, 10000});
+  bundles.end();
+}
+
 }  // namespace
 
 ServerConfig read_server_config(const std::string& file) {
@@ -85,6 +91,7 @@ ServerConfig read_server_config(const std::string& file) {
     read_workers(root.section("workers"), config.workers);
     read_scenes(root.section("scenes"), config.scenes);
     read_metrics(root.section("metrics"), config.metrics);
+    read_bundles(root.section("bundles"), config.bundles);
     root.choice("log_level", config.log_level, {"trace", "debug", "info", "warn", "error", "off"});
     root.end();
   }

@@ -1,10 +1,9 @@
 // Keeping as many workers as there are slots.
 #include "workers/pool.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <boost/asio/post.hpp>
+#include <cstdio>
 #include <system_error>
 
 #include "foothold/msg/errors.hpp"
@@ -32,6 +31,10 @@ Pool::Pool(boost::asio::io_context& loop, PoolListener& listener, RobotConfig ro
 
 Pool::~Pool() {
   for (Member& member : members_) member.worker->abandon();
+}
+
+void Pool::say(log::Level level, const std::string& sentence) const {
+  log::say(level, "robot " + robot_.name + ": " + sentence, {{"robot", robot_.name}});
 }
 
 void Pool::open() {
@@ -181,7 +184,8 @@ void Pool::retire(Member& member) {
 void Pool::on_ready(Worker& worker, msg::RobotInfo info) {
   Member& member = member_of(worker);
   member.ready = true;
-  spdlog::info("robot {}: worker {} is ready with {} {}", robot_.name, worker.pid(), info.plugin(), info.plugin_version());
+  say(log::Level::kInfo,
+      "worker " + std::to_string(worker.pid()) + " is ready with " + info.plugin() + " " + info.plugin_version());
   info_ = std::move(info);
   described_.reset();
   trouble_.clear();
@@ -194,7 +198,7 @@ void Pool::on_ready(Worker& worker, msg::RobotInfo info) {
 }
 
 void Pool::on_refused(Worker&, msg::Error reason) {
-  spdlog::error("robot {}: {}", robot_.name, reason.message());
+  say(log::Level::kError, reason.message());
   if (older_serve()) return give_up_reload(reason);
   refused_ = std::move(reason);
   settle();
@@ -217,7 +221,7 @@ void Pool::on_departure(Worker& worker, Departure departure) {
   const bool was_ready = member_of(worker).ready;
   const bool was_newest = member_of(worker).generation == generation_;
   std::erase_if(members_, [&](const Member& member) { return member.worker.get() == &worker; });
-  if (departure.error.code() != msg::NO_ERROR) spdlog::warn("robot {}: {}", robot_.name, departure.error.message());
+  if (departure.error.code() != msg::NO_ERROR) say(log::Level::kWarn, departure.error.message());
   if (departure.error.code() != msg::NO_ERROR && !closed_ && !withdrawn_ && was_newest) owed_ = std::min(owed_ + 1, robot_.slots);
   if (departure.crash) {
     ++crashes_;
@@ -238,7 +242,9 @@ void Pool::count_crash(const msg::Error& error) {
   trouble_ = error.message();
   if (!health_.crashed(now())) return;
   trouble_ = std::to_string(health_.recent_crashes()) + " crashes, the last: " + error.message();
-  spdlog::error("robot {}: quarantined for {} s: {}", robot_.name, config_.quarantine_time, trouble_);
+  char time[32];
+  std::snprintf(time, sizeof time, "%g", config_.quarantine_time);
+  say(log::Level::kError, std::string("quarantined for ") + time + " s: " + trouble_);
   for (Member& member : members_) retire(member);
 }
 

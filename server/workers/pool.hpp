@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "config/config.hpp"
+#include "log/log.hpp"
 #include "workers/health.hpp"
 #include "workers/worker.hpp"
 
@@ -81,6 +82,7 @@ class Pool final : public WorkerOwner {
   void retire_older(std::size_t most);
   void give_up_reload(const msg::Error& reason);
   void count_crash(const msg::Error& error);
+  void say(log::Level level, const std::string& sentence) const;
   void settle();
   void changed();
   std::shared_ptr<const msg::RobotInfo> described(msg::RobotState state, const std::string& reason) const;

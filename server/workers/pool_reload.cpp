@@ -1,5 +1,4 @@
 // Newer workers in the place of older ones, which finish their runs.
-#include <spdlog/spdlog.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -53,7 +52,7 @@ void Pool::withdraw() {
 }
 
 void Pool::reload() {
-  spdlog::info("robot {}: loading {} anew", robot_.name, robot_.plugin);
+  say(log::Level::kInfo, "loading " + robot_.plugin + " anew");
   // Newer ones that are not ready yet would load a file that is out of date.
   for (Member& member : members_)
     if (!member.ready && !member.retiring) retire(member);
@@ -85,7 +84,7 @@ void Pool::retire_older(std::size_t most) {
 
 // The plugin on disk is no good: those of before, which are, stay.
 void Pool::give_up_reload(const msg::Error& reason) {
-  spdlog::error("robot {}: the newer plugin is not used, the one of before goes on: {}", robot_.name, reason.message());
+  say(log::Level::kError, "the newer plugin is not used, the one of before goes on: " + reason.message());
   for (Member& member : members_) {
     if (member.generation == generation_)
       retire(member);

@@ -1,7 +1,6 @@
 // The frames of one worker, its printed words, and its end.
 #include "workers/worker.hpp"
 
-#include <spdlog/spdlog.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -11,6 +10,7 @@
 #include <cstring>
 
 #include "foothold/msg/errors.hpp"
+#include "log/log.hpp"
 
 namespace foothold::server {
 namespace {
@@ -45,7 +45,10 @@ Worker::Worker(boost::asio::io_context& loop, WorkerOwner& owner, std::string na
       words_(loop, process_.words.release()),
       exit_(loop, process_.exit.release()),
       timer_(loop),
-      last_words_([this](std::string_view line) { spdlog::info("worker {} of {} says: {}", process_.pid, name_, line); }) {}
+      last_words_([this](std::string_view line) {
+        log::say(log::Level::kInfo, "worker " + std::to_string(process_.pid) + " of " + name_ + " says: " + std::string(line),
+                 {{"robot", name_}, {"request", run_ ? msg::to_hex(request_) : std::string()}});
+      }) {}
 
 void Worker::abandon() {
   if (std::exchange(departed_, true)) return;

@@ -4,6 +4,7 @@
 #include "daemon.hpp"
 #include "eventually.hpp"
 #include "http_get.hpp"
+#include "journal_socket.hpp"
 #include "planners.hpp"
 #include "wire.hpp"
 
@@ -80,6 +81,51 @@ TEST(Watching, AnAddressThatIsTakenIsToldAndTheServerServesWithoutFigures) {
             std::string::npos);
   EXPECT_EQ(second.stop(), 0);
   EXPECT_EQ(first.stop(), 0);
+}
+
+TEST(Watching, EachEndStandsInTheLogWithItsFields) {
+  Daemon daemon({.domain = 80, .robots = {good_robot("good"), bad_robot("crash")}});
+  Wire wire("cyclone", 80);
+  ASSERT_TRUE(wire.connect("good"));
+  ASSERT_TRUE(wire.connect("crash"));
+  auto request = paced_request("good", 3, 0.0);
+  request.unit("yard 3");
+  const msg::Id done = wire.submit(request), crashed = wire.submit(request_for("crash"));
+  ASSERT_TRUE(wire.final_event(done));
+  ASSERT_TRUE(wire.final_event(crashed));
+  EXPECT_EQ(daemon.stop(), 0);
+  const std::string log = daemon.log(), client = msg::to_hex(wire.id());
+  EXPECT_NE(log.find(" info request ended SUCCEEDED request=" + msg::to_hex(done) + " robot=good unit=\"yard 3\" client=" + client +
+                     " state=SUCCEEDED steps=3 waited="),
+            std::string::npos);
+  EXPECT_NE(log.find(" warning request ended CRASHED request=" + msg::to_hex(crashed) + " robot=crash client=" + client +
+                     " state=CRASHED error=WORKER_CRASHED "),
+            std::string::npos);
+}
+
+TEST(Watching, UnderSystemdTheJournalGetsTheFields) {
+  JournalSocket journal;
+  if (!journal.is_there()) GTEST_SKIP() << "SKIPPED: no mount namespace here, which takes root";
+  Daemon daemon({.domain = 81, .robots = {good_robot("good")}});
+  {
+    Wire wire("cyclone", 81);
+    ASSERT_TRUE(wire.connect("good"));
+  }
+  EXPECT_EQ(daemon.stop(), 0);
+  struct stat log {};
+  ASSERT_EQ(::stat((daemon.state_folder() + "/../log").c_str(), &log), 0);
+  ::setenv("JOURNAL_STREAM", (std::to_string(log.st_dev) + ":" + std::to_string(log.st_ino)).c_str(), 1);
+  daemon.start();
+  ::unsetenv("JOURNAL_STREAM");
+  Wire wire("cyclone", 81);
+  ASSERT_TRUE(wire.connect("good"));
+  EXPECT_NE(journal.next("FOOTHOLD_ROBOT=good").find("\nPRIORITY=6\nSYSLOG_IDENTIFIER=footholdd\n"), std::string::npos);
+  const msg::Id id = wire.submit(paced_request("good", 3, 0.0));
+  const std::string entry = journal.next("FOOTHOLD_REQUEST=" + msg::to_hex(id));
+  EXPECT_NE(entry.find("\nMESSAGE=request ended SUCCEEDED\n"), std::string::npos) << entry;
+  EXPECT_NE(entry.find("\nFOOTHOLD_ROBOT=good\n"), std::string::npos) << entry;
+  EXPECT_NE(entry.find("\nFOOTHOLD_STATE=SUCCEEDED\n"), std::string::npos) << entry;
+  EXPECT_EQ(daemon.stop(), 0);
 }
 
 }  // namespace

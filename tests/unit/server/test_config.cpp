@@ -65,6 +65,7 @@ retention: 2 d
 workers: {restart_first: 0.5, restart_longest: 1 min, start_limit: 9, quarantine_crashes: 4, quarantine_window: 2 min, quarantine_time: 3 min}
 scenes: {max_bytes: 10 MiB, preload: [scenes]}
 metrics: {enabled: false, address: "::1", port: 99}
+bundles: {slow: 1 min, keep: 3}
 log_level: debug
 )");
   EXPECT_EQ(config.name, "lab");
@@ -88,6 +89,8 @@ log_level: debug
   EXPECT_EQ(config.scenes.max_bytes, 10485760U);
   EXPECT_EQ(config.scenes.preload, std::vector<std::string>{folder_ / "scenes"});
   EXPECT_EQ(config.metrics, (MetricsConfig{.enabled = false, .address = "::1", .port = 99}));
+  EXPECT_EQ(config.bundles.slow, 60.0);
+  EXPECT_EQ(config.bundles.keep, 3U);
   EXPECT_EQ(config.log_level, "debug");
 }
 
@@ -119,6 +122,8 @@ TEST(ShippedConfiguration, IsGoodAndShowsEverySettingWithItsDefault) {
   EXPECT_EQ(config.workers.quarantine_time, initial.workers.quarantine_time);
   EXPECT_EQ(config.scenes.max_bytes, initial.scenes.max_bytes);
   EXPECT_EQ(config.metrics, initial.metrics);
+  EXPECT_EQ(config.bundles.slow, initial.bundles.slow);
+  EXPECT_EQ(config.bundles.keep, initial.bundles.keep);
   EXPECT_EQ(config.log_level, initial.log_level);
   EXPECT_FALSE(read_robots(config).empty());
 }
