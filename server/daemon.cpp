@@ -95,7 +95,8 @@ void Daemon::open_bus() {
   end_batch();
   announce_robots();
   inbox_.emplace(
-      loop_, *bus_, [this](ClientMessage message) { take(std::move(message)); }, [this] { batch_soon(); });
+      loop_, *bus_, [this](ClientMessage message) { take(std::move(message)); }, [this] { batch_soon(); },
+      !config_.dds.security.empty());
   beat();
   spdlog::info("server {} ({}) serves: {}", config_.name, msg::to_hex(journal_.server_id()), status());
   service::ready(status());

@@ -11,10 +11,10 @@ ClientOptions permitted(const transport::BusOptions& bus, ClientOptions options)
   try {
     const security::Credentials credentials =
         security::read_credentials(bus.security, bus.vendor, security::Role::kClient, "a client");
-    if (options.id == msg::kNoId) options.id = security::client_id(credentials.name);
-    if (!security::is_id_of(credentials.name, options.id))
+    if (options.id == msg::kNoId) options.id = security::client_id(credentials);
+    if (!security::is_id_of(credentials, options.id))
       throw transport::BusError("id: with the credentials of " + credentials.name + " a client's id begins with " +
-                                security::partition_prefix(credentials.name) + ", not as " + msg::to_hex(options.id));
+                                security::partition_prefix(credentials) + ", not as " + msg::to_hex(options.id));
   } catch (const security::SecurityError& error) {
     throw transport::BusError(std::string("security: ") + error.what());
   }

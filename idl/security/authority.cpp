@@ -107,7 +107,13 @@ void issue(const NewCredentials& wanted) {
     const Certificate certificate = identity_certificate(from.authority, key.get(), subject, wanted.days * kDay);
     const CredentialFiles files = credential_files(folder.string(), vendor);
     write_new(files.certificate, certificates[vendor] = pem(certificate.get()), Access::kEverybody);
-    const Grant grant{wanted.name, subject_text(certificate.get()), wanted.role, unix_time(X509_get0_notBefore(certificate.get())),
+    Credentials holder;
+    holder.sender = guid_prefix(certificate.get());
+    const Grant grant{wanted.name,
+                      subject_text(certificate.get()),
+                      wanted.role,
+                      partition_prefix(holder),
+                      unix_time(X509_get0_notBefore(certificate.get())),
                       unix_time(X509_get0_notAfter(certificate.get()))};
     write_new(files.permissions, sign(from.authority, permissions_document(grant)), Access::kEverybody);
   }

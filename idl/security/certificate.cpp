@@ -71,12 +71,14 @@ Name name_of(const Subject& subject) {
   return name;
 }
 
-bool first_bit(X509_NAME* name) {
+std::array<unsigned char, EVP_MAX_MD_SIZE> digest_of(const X509_NAME* name) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
   unsigned size = 0;
   must(X509_NAME_digest(name, EVP_sha256(), digest.data(), &size) == 1, "digest");
-  return (digest[0] & 0x80U) != 0;
+  return digest;
 }
+
+bool first_bit(const X509_NAME* name) { return (digest_of(name)[0] & 0x80U) != 0; }
 
 bool wanted_bit(const std::string& vendor) { return vendor == "fastdds"; }
 
@@ -174,6 +176,18 @@ Certificate identity_certificate(const Authority& authority, EVP_PKEY* key, cons
   extend(raw, authority.certificate.get(), NID_authority_key_identifier, "keyid:always");
   must(X509_sign(raw, authority.key.get(), EVP_sha256()) > 0, "signature");
   return certificate;
+}
+
+// A bit that is 1, then the first 47 of the digest (DDS Security 1.1, 9.3.3).
+std::array<std::uint8_t, 6> guid_prefix(X509* certificate) {
+  const auto digest = digest_of(X509_get_subject_name(certificate));
+  std::array<std::uint8_t, 6> prefix{};
+  unsigned above = 1;
+  for (std::size_t i = 0; i < prefix.size(); ++i) {
+    prefix[i] = static_cast<std::uint8_t>(above << 7U | digest[i] >> 1U);
+    above = digest[i] & 1U;
+  }
+  return prefix;
 }
 
 bool fits_vendor(X509* certificate, const std::string& vendor) {

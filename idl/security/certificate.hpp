@@ -1,6 +1,7 @@
 // Keys on the curve P-256 and certificates signed with ECDSA and SHA-256: what both vendors take.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -36,6 +37,7 @@ Certificate identity_certificate(const Authority& authority, EVP_PKEY* key, cons
 // Cyclone DDS 0.10 and Fast DDS 2.9 agree on a handshake only if Cyclone begins it, and the participant whose GUID is lower does.
 // The GUID begins with the SHA-256 of the subject's DER: its first bit is 0 in our certificates for Cyclone and 1 in those for
 // Fast.
+std::array<std::uint8_t, 6> guid_prefix(X509* certificate);
 bool fits_vendor(X509* certificate, const std::string& vendor);
 
 // Throws SecurityError if it is not a subject as identity_certificate() makes them.

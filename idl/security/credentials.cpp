@@ -98,6 +98,7 @@ Credentials read_credentials(const std::string& folder, const std::string& vendo
   if (is_revoked(revoked.get(), certificate.get()))
     throw SecurityError(files.certificate + ": is revoked; ask for new credentials");
   credentials.name = subject.name;
+  credentials.sender = guid_prefix(certificate.get());
   credentials.role = role_of(subject.role);
   credentials.expires = unix_time(X509_get0_notAfter(certificate.get()));
   return credentials;

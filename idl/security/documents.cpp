@@ -44,7 +44,7 @@ std::string rules(const Grant& grant) {
              rule("subscribe", kAmongServers, "");
     case Role::kClient:
       return rule("publish", kFromClients, "") + rule("subscribe", kToEverybody, "") +
-             rule("subscribe", kToOneClient, partition_prefix(grant.holder) + "*");
+             rule("subscribe", kToOneClient, grant.prefix + "*");
     case Role::kObserver:
       break;
   }

@@ -16,6 +16,7 @@ struct Grant {
   std::string holder;   // name
   std::string subject;  // of the certificate, RFC 2253
   Role role;
+  std::string prefix;            // of a client's partitions
   std::int64_t begins, expires;  // Unix time, s
 };
 // What one holder may read and write; all else is denied.

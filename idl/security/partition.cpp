@@ -4,25 +4,21 @@
 #include "foothold/security/credentials.hpp"
 
 namespace foothold::security {
-namespace {
 
-constexpr std::size_t kPrefixOctets = 8;
+std::string partition_prefix(const Credentials& credentials) {
+  msg::Id id{};
+  std::ranges::copy(credentials.sender, id.begin());
+  return msg::to_hex(id).substr(0, 2 * credentials.sender.size());
+}
 
-msg::Id named(const std::string& name) { return msg::id_of("foothold client " + name); }
-
-}  // namespace
-
-std::string partition_prefix(const std::string& name) { return msg::to_hex(named(name)).substr(0, 2 * kPrefixOctets); }
-
-msg::Id client_id(const std::string& name) {
+msg::Id client_id(const Credentials& credentials) {
   msg::Id id = msg::random_id();
-  std::copy_n(named(name).begin(), kPrefixOctets, id.begin());
+  std::ranges::copy(credentials.sender, id.begin());
   return id;
 }
 
-bool is_id_of(const std::string& name, const msg::Id& id) {
-  const msg::Id wanted = named(name);
-  return std::equal(id.begin(), id.begin() + kPrefixOctets, wanted.begin());
+bool is_id_of(const Credentials& credentials, const msg::Id& id) {
+  return std::equal(credentials.sender.begin(), credentials.sender.end(), id.begin());
 }
 
 }  // namespace foothold::security

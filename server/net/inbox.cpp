@@ -1,6 +1,7 @@
 // From the vendor's threads to the loop.
 #include "net/inbox.hpp"
 
+#include <algorithm>
 #include <boost/asio/post.hpp>
 
 #include "foothold/msg/cdr.hpp"
@@ -17,11 +18,12 @@ struct Inbox::Shared {
   Inbox* inbox = nullptr;  // nothing when it is gone; read by the loop only
   std::array<std::atomic<std::uint64_t>, transport::kTopicCount> unreadable{};
   std::atomic<std::uint64_t> lost = 0;
+  std::atomic<std::uint64_t> in_anothers_name = 0;
 };
 
 Inbox::Inbox(boost::asio::io_context& loop, transport::Bus& bus, std::function<void(ClientMessage)> take,
-             std::function<void()> batch_end)
-    : shared_(std::make_shared<Shared>()), loop_(loop), take_(std::move(take)), batch_end_(std::move(batch_end)) {
+             std::function<void()> batch_end, bool proven)
+    : shared_(std::make_shared<Shared>()), loop_(loop), take_(std::move(take)), batch_end_(std::move(batch_end)), proven_(proven) {
   shared_->inbox = this;
   read<msg::PlanRequest>(bus, Topic::kRequest);
   read<msg::CancelRequest>(bus, Topic::kCancel);
@@ -36,10 +38,14 @@ Inbox::~Inbox() {
 
 template <class Message>
 void Inbox::read(transport::Bus& bus, Topic topic) {
-  const auto on_message = [shared = shared_, &loop = loop_, topic](std::span<const std::byte> bytes) {
+  const auto take = [shared = shared_, &loop = loop_, topic](std::span<const std::byte> bytes, const transport::Sender* sender) {
     auto message = msg::decode<Message>(bytes);
     if (!message) {
       ++shared->unreadable[static_cast<std::size_t>(topic)];
+      return;
+    }
+    if (sender != nullptr && !std::equal(sender->begin(), sender->end(), message->client().begin())) {
+      ++shared->in_anothers_name;
       return;
     }
     bool first = false;
@@ -58,7 +64,12 @@ void Inbox::read(transport::Bus& bus, Topic topic) {
       if (shared->inbox != nullptr) shared->inbox->drain();
     });
   };
-  readers_.emplace_back(topic, bus.reader(topic, "", {.on_message = on_message}));
+  transport::ReaderEvents events;
+  if (proven_)
+    events.on_message_from = [take](std::span<const std::byte> bytes, const transport::Sender& sender) { take(bytes, &sender); };
+  else
+    events.on_message = [take](std::span<const std::byte> bytes) { take(bytes, nullptr); };
+  readers_.emplace_back(topic, bus.reader(topic, "", std::move(events)));
 }
 
 void Inbox::drain() {
@@ -84,6 +95,8 @@ std::string Inbox::take_complaint() {
                    std::string(transport::kTopics[i].name) + " are not messages of its type";
   if (const auto count = news(shared_->lost, lost_told_); count != 0)
     complaint += (complaint.empty() ? "" : "; ") + std::to_string(count) + " messages were lost: too many wait for the loop";
+  if (const auto count = news(shared_->in_anothers_name, in_anothers_name_told_); count != 0)
+    complaint += (complaint.empty() ? "" : "; ") + std::to_string(count) + " messages were left out: sent in another client's name";
   return complaint;
 }
 

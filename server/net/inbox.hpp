@@ -25,9 +25,10 @@ class Inbox {
  public:
   static constexpr std::size_t kMostOctets = 256u << 20;  // that wait for the loop; what comes beyond is lost and counted
 
-  // `batch_end`: after the last message of a batch. Throws BusError.
+  // `batch_end`: after the last message of a batch. `proven`: senders are (security is on), and a message in the name of a client
+  // whose id does not begin with its sender is left out and counted. Throws BusError.
   Inbox(boost::asio::io_context& loop, transport::Bus& bus, std::function<void(ClientMessage)> take,
-        std::function<void()> batch_end);
+        std::function<void()> batch_end, bool proven = false);
   ~Inbox();  // no callback runs after it
 
   // A sentence for the log if, since the last call, messages came that could not be read (P9) or were lost; else empty.
@@ -53,10 +54,11 @@ class Inbox {
   boost::asio::io_context& loop_;
   std::function<void(ClientMessage)> take_;
   std::function<void()> batch_end_;
+  const bool proven_;
   std::vector<ClientMessage> batch_;
   std::vector<std::pair<transport::Topic, std::unique_ptr<transport::Reader>>> readers_;
   std::array<std::uint64_t, transport::kTopicCount> unreadable_told_{};  // in complaints
-  std::uint64_t lost_told_ = 0;
+  std::uint64_t lost_told_ = 0, in_anothers_name_told_ = 0;
 };
 
 }  // namespace foothold::server

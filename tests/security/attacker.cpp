@@ -1,8 +1,8 @@
 // attacker VENDOR DOMAIN CREDENTIALS ACTS ID PARTITION:REQUEST...: does to a server and its clients what it can, until SIGTERM.
 // CREDENTIALS: a folder, or - for none; neither ours nor the vendor's own checks of them are made (lies.cpp).
-// ACTS, joined by commas: read (everybody's steps, events and requests), request (a plan, under ID; a cancel of each REQUEST),
-// serve (a server called `forged ID`, a step labelled so and an end for each REQUEST in its PARTITION). Prints "opened" or why not,
-// then at the end one line: steps, events and requests that it read, messages that it sent.
+// ACTS, joined by commas: read (everybody's steps, events and requests), request (in a victim's name a plan, under ID, and a cancel
+// of each REQUEST), serve (a server called `forged ID`, a step labelled so and an end for each REQUEST in its PARTITION). Prints
+// "opened" or why not, then at the end one line: steps, events and requests that it read, messages that it sent.
 #include <dlfcn.h>
 #include <foothold.h>
 #include <unistd.h>
@@ -76,7 +76,9 @@ void begin_reading(Attack& attack) {
 void begin_requesting(Attack& attack) {
   msg::PlanRequest request;
   request.id(attack.id);
-  request.client(attack.id);
+  // In another's name: the server answers him.
+  const auto client = attack.victims.empty() ? attack.id : *msg::id_from_hex(attack.victims.front().partition);
+  request.client(client);
   request.robot("good");
   request.unit("forged");
   request.budget(60.0);
@@ -84,7 +86,7 @@ void begin_requesting(Attack& attack) {
   for (const Victim& victim : attack.victims) {
     msg::CancelRequest cancel;
     cancel.id(victim.request);
-    cancel.client(attack.id);
+    cancel.client(client);
     cancels.push_back(msg::encode(cancel));
   }
   write(attack, Topic::kRequest, "", {msg::encode(request)});

@@ -32,11 +32,10 @@ const double kDuration = kLong ? 30.0 : 4.0;
 // One server with two clients, one of each vendor, each with a plan that goes on; attackers around them.
 class Siege {
  public:
-  Siege(const std::string& server_vendor, const std::string& server_credentials, const std::string& client_credentials,
-        const std::string& client_name)
+  Siege(const std::string& server_vendor, const std::string& server_credentials, const std::string& client_credentials)
       : daemon_({.vendor = server_vendor, .domain = kDomain, .robots = {good_robot("good", 3)}, .security = server_credentials}) {
     for (const std::string& vendor : kVendors) {
-      const msg::Id id = client_name.empty() ? msg::random_id() : security::client_id(client_name);
+      const msg::Id id = client_credentials.empty() ? msg::random_id() : client_id(client_credentials, vendor);
       clients_.push_back(std::make_unique<Wire>(vendor, kDomain, "", id, client_credentials));
     }
     const auto steps = static_cast<std::uint32_t>(100.0 * (kDuration + 30.0));
@@ -134,7 +133,7 @@ class Attacks : public testing::TestWithParam<VendorPair> {
 INSTANTIATE_TEST_SUITE_P(Pairs, Attacks, testing::ValuesIn(kVendorPairs), pair_name);
 
 std::string nothing_permitted() {
-  std::string text = security::permissions_document({"nobody", "SUBJECT", Role::kClient, 0, 4102444800});
+  std::string text = security::permissions_document({"nobody", "SUBJECT", Role::kClient, "", 0, 4102444800});
   const std::size_t begin = text.find("<publish>"), end = text.find("      </allow_rule>");
   return text.replace(begin, end - begin, "<publish><topics><topic>none</topic></topics></publish>\n");
 }
@@ -145,12 +144,12 @@ TEST_P(Attacks, GetNothingWhereSecurityIsOn) {
   security::revoke(fleet_.authority(), "robot-6");  // who is issued credentials from now on has it in his list
   const std::string revoked = fleet_.authority() + "-robot-6";
   fs::copy(fs::path(fleet_.authority()).parent_path() / "robot-6", revoked);
-  Siege siege(server(), fleet_.issue("yard-1", Role::kServer), fleet_.issue("robot-7", Role::kClient), "robot-7");
+  Siege siege(server(), fleet_.issue("yard-1", Role::kServer), fleet_.issue("robot-7", Role::kClient));
   siege.attack(as("permitted: an observer reads", fleet_.issue("viewer", Role::kObserver), "read"));
   siege.attack(as("permitted: another server serves", fleet_.issue("yard-2", Role::kServer), "request,serve"));
   siege.attack(as("unsecured", "", all));
   siege.attack(as("foreign authority, as server", foreign_.issue("yard-1", Role::kServer), all));
-  siege.attack(as("client as server, reads others' plans", fleet_.issue("robot-8", Role::kClient), "read,serve"));
+  siege.attack(as("client reads, asks and serves as others", fleet_.issue("robot-8", Role::kClient), all));
   siege.attack(as("observer requests and serves", fleet_.issue("viewer-2", Role::kObserver), "request,serve"));
   siege.attack(
       as("no permission", with_permissions(fleet_.issue("robot-9", Role::kClient), fleet_.authority(), nothing_permitted()), all));
@@ -168,7 +167,7 @@ TEST_P(Attacks, GetNothingWhereSecurityIsOn) {
 }
 
 TEST_P(Attacks, SucceedWhereItIsOff) {
-  Siege siege(server(), "", "", "");
+  Siege siege(server(), "", "");
   siege.attack(as("security is off", "", "read,request,serve"));
   const std::vector<Outcome> rows = siege.outcomes();
   print_table(rows);

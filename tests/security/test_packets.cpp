@@ -93,7 +93,7 @@ class Session {
     server_ = *first();
   }
   std::unique_ptr<Wire> connect() const {
-    const msg::Id id = client_credentials_.empty() ? msg::random_id() : security::client_id("robot-7");
+    const msg::Id id = client_credentials_.empty() ? msg::random_id() : client_id(client_credentials_, vendors_.client);
     auto wire = std::make_unique<Wire>(vendors_.client, kDomain, "", id, client_credentials_);
     if (!wire->connect("good")) throw std::runtime_error("the client does not reach its server");
     return wire;

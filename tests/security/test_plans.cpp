@@ -28,7 +28,7 @@ TEST_P(Secured, PlansArriveWholeInOrderAndEndOnce) {
                  .security = fleet_.issue("yard-1", security::Role::kServer)});
   const std::string credentials = fleet_.issue("robot-7", security::Role::kClient);
   client::Client client({.vendor = GetParam().client, .domain = kDomain, .security = credentials});
-  EXPECT_TRUE(security::is_id_of("robot-7", client.id()));
+  EXPECT_TRUE(security::is_id_of(security::read_credentials(credentials, GetParam().client), client.id()));
   ASSERT_TRUE(client.wait_for_robot("good", 20.0));
   ASSERT_TRUE(client.wait_for_server(20.0));
   for (int plans = 0; plans < 5; ++plans) {
@@ -51,8 +51,8 @@ TEST_P(Secured, ProgramsOfOneHolderDoNotHearEachOther) {
                  .robots = {good_robot("good", 2)},
                  .security = fleet_.issue("yard-1", security::Role::kServer)});
   const std::string credentials = fleet_.issue("robot-7", security::Role::kClient);
-  Wire one(GetParam().client, kDomain, {}, security::client_id("robot-7"), credentials);
-  Wire other("fastdds", kDomain, {}, security::client_id("robot-7"), credentials);
+  Wire one(GetParam().client, kDomain, {}, client_id(credentials, GetParam().client), credentials);
+  Wire other("fastdds", kDomain, {}, client_id(credentials, "fastdds"), credentials);
   ASSERT_TRUE(one.connect("good"));
   ASSERT_TRUE(other.connect("good"));
   const msg::Id id = one.submit(paced_request("good", 20, 0.0));
@@ -90,12 +90,13 @@ TEST_P(Starting, AClientRefusesAnIdThatItsCredentialsDoNotAllow) {
   const Fleet fleet;
   const std::string folder = fleet.issue("robot-7", security::Role::kClient);
   client::ClientOptions options;
-  options.id = security::client_id("robot-8");
+  options.id = client_id(fleet.issue("robot-8", security::Role::kClient), GetParam());
   try {
     client::Client client({.vendor = GetParam(), .domain = kDomain, .security = folder}, options);
     FAIL() << "a client of another's partition was made";
   } catch (const transport::BusError& error) {
-    EXPECT_NE(std::string(error.what()).find("a client's id begins with " + security::partition_prefix("robot-7")),
+    EXPECT_NE(std::string(error.what())
+                  .find("a client's id begins with " + security::partition_prefix(security::read_credentials(folder, GetParam()))),
               std::string::npos)
         << error.what();
   }

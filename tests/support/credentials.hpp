@@ -23,4 +23,9 @@ class Fleet {
   TemporaryFolder folder_;
 };
 
+// An id that a client with these credentials may have.
+inline msg::Id client_id(const std::string& folder, const std::string& vendor) {
+  return security::client_id(security::read_credentials(folder, vendor));
+}
+
 }  // namespace foothold::test

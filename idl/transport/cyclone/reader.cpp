@@ -1,5 +1,8 @@
 // Takes octets in Cyclone's listener, on the thread that received them. Cyclone calls the listeners of one entity one at a time and
 // dds_delete waits for the one that runs.
+#include <algorithm>
+#include <unordered_map>
+
 #include "bus.hpp"
 #include "qos.hpp"
 
@@ -8,8 +11,40 @@ namespace {
 
 constexpr std::uint32_t kTakenAtOnce = 64;
 
+// Asked of Cyclone once for each writer. For one reader, whose listener is called by one thread at a time.
+class Senders {
+ public:
+  Sender of(dds_entity_t reader, dds_instance_handle_t writer) {
+    if (const auto found = known_.find(writer); found != known_.end()) return found->second;
+    Sender sender{};
+    dds_builtintopic_endpoint_t* endpoint = dds_get_matched_publication_data(reader, writer);
+    if (endpoint == nullptr) return sender;
+    std::copy_n(endpoint->participant_key.v, sender.size(), sender.begin());
+    dds_builtintopic_free_endpoint(endpoint);
+    if (known_.size() >= kMost) known_.clear();
+    known_.emplace(writer, sender);
+    return sender;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 4096;
+  std::unordered_map<dds_instance_handle_t, Sender> known_;
+};
+
+struct Listened {
+  ReaderEvents events;
+  Senders senders;
+};
+
+void tell(dds_entity_t reader, Listened& listened, const ddsi_serdata* sample, const dds_sample_info_t& info) {
+  if (listened.events.on_message_from)
+    listened.events.on_message_from(octets(sample), listened.senders.of(reader, info.publication_handle));
+  else
+    listened.events.on_message(octets(sample));
+}
+
 void on_data(dds_entity_t reader, void* argument) {
-  const auto& events = *static_cast<const ReaderEvents*>(argument);
+  auto& listened = *static_cast<Listened*>(argument);
   std::array<ddsi_serdata*, kTakenAtOnce> samples{};
   std::array<dds_sample_info_t, kTakenAtOnce> infos;
   dds_return_t taken = 0;
@@ -17,18 +52,18 @@ void on_data(dds_entity_t reader, void* argument) {
     taken = dds_takecdr(reader, samples.data(), kTakenAtOnce, infos.data(), DDS_ANY_STATE);
     for (dds_return_t i = 0; i < taken; ++i) {
       const auto at = static_cast<std::size_t>(i);
-      if (infos[at].valid_data) events.on_message(octets(samples[at]));
+      if (infos[at].valid_data) tell(reader, listened, samples[at], infos[at]);
       ddsi_serdata_unref(samples[at]);
     }
   } while (taken == static_cast<dds_return_t>(kTakenAtOnce));
 }
 
 void on_matched(dds_entity_t, dds_subscription_matched_status_t status, void* argument) {
-  static_cast<const ReaderEvents*>(argument)->on_matched(status.current_count);
+  static_cast<Listened*>(argument)->events.on_matched(status.current_count);
 }
 
 void on_liveliness(dds_entity_t, dds_liveliness_changed_status_t status, void* argument) {
-  static_cast<const ReaderEvents*>(argument)->on_liveliness(status.alive_count);
+  static_cast<Listened*>(argument)->events.on_liveliness(status.alive_count);
 }
 
 struct DeleteListener {
@@ -39,12 +74,12 @@ class CycloneReader final : public Reader {
  public:
   CycloneReader(dds_entity_t participant, const BytesTopic& bytes_topic, const TopicTraits& topic, const std::string& partition,
                 ReaderEvents events)
-      : events_(std::move(events)),
+      : listened_{std::move(events), {}},
         subscriber_(dds_create_subscriber(participant, partition_qos(partition).get(), nullptr), "a subscriber") {
-    const std::unique_ptr<dds_listener_t, DeleteListener> listener(dds_create_listener(&events_));
+    const std::unique_ptr<dds_listener_t, DeleteListener> listener(dds_create_listener(&listened_));
     dds_lset_data_available(listener.get(), on_data);
-    if (events_.on_matched) dds_lset_subscription_matched(listener.get(), on_matched);
-    if (events_.on_liveliness) dds_lset_liveliness_changed(listener.get(), on_liveliness);
+    if (listened_.events.on_matched) dds_lset_subscription_matched(listener.get(), on_matched);
+    if (listened_.events.on_liveliness) dds_lset_liveliness_changed(listener.get(), on_liveliness);
     reader_ = Entity(dds_create_reader(subscriber_.get(), bytes_topic.entity.get(), reader_qos(topic).get(), listener.get()),
                      "a reader of " + std::string(topic.name));
   }
@@ -55,7 +90,7 @@ class CycloneReader final : public Reader {
   }
 
  private:
-  ReaderEvents events_;
+  Listened listened_;
   Entity subscriber_;
   Entity reader_;
 };

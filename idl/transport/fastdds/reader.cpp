@@ -1,4 +1,5 @@
 // Takes octets in Fast DDS's listener, on the thread that received them.
+#include <algorithm>
 #include <fastdds/dds/subscriber/DataReader.hpp>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
@@ -24,7 +25,14 @@ class Listener final : public dds::DataReaderListener {
     const std::lock_guard lock(mutex_);
     dds::SampleInfo info;
     while (reader->take_next_sample(&sample_, &info) == ReturnCode_t::RETCODE_OK) {
-      if (info.valid_data) events_.on_message(sample_.in);
+      if (!info.valid_data) continue;
+      if (!events_.on_message_from) {
+        events_.on_message(sample_.in);
+        continue;
+      }
+      Sender sender;
+      std::copy_n(info.sample_identity.writer_guid().guidPrefix.value, sender.size(), sender.begin());
+      events_.on_message_from(sample_.in, sender);
     }
   }
 

@@ -91,16 +91,23 @@ TEST(Authority, PutsEveryCertificateForCycloneBelowEveryOneForFastDds) {
     const std::string folder = fleet.issue("robot-" + std::to_string(i), i % 2 == 0 ? Role::kClient : Role::kObserver);
     highest_cyclone = std::max(highest_cyclone, guid_prefix(folder + "/cyclone.crt"));
     lowest_fast = std::min(lowest_fast, guid_prefix(folder + "/fastdds.crt"));
+    for (const char* vendor : {"cyclone", "fastdds"}) {
+      char prefix[13] = {};
+      std::snprintf(prefix, sizeof prefix, "%012llx", static_cast<unsigned long long>(guid_prefix(folder + "/" + vendor + ".crt")));
+      EXPECT_EQ(partition_prefix(read_credentials(folder, vendor)), prefix);
+    }
   }
   EXPECT_LT(highest_cyclone, lowest_fast);
 }
 
 TEST(Authority, PermitsEachRoleItsTopicsAndPartitions) {
   const Fleet fleet;
-  const std::string client = text(fleet.issue("robot-7", Role::kClient) + "/cyclone-permissions.p7s");
+  const std::string folder = fleet.issue("robot-7", Role::kClient);
+  const std::string client = text(folder + "/cyclone-permissions.p7s");
   const std::string observer = text(fleet.issue("viewer", Role::kObserver) + "/cyclone-permissions.p7s");
   const std::string server = text(fleet.issue("yard-1", Role::kServer) + "/cyclone-permissions.p7s");
-  EXPECT_NE(client.find("<partition>" + partition_prefix("robot-7") + "*</partition>"), std::string::npos);
+  EXPECT_NE(client.find("<partition>" + partition_prefix(read_credentials(folder, "cyclone")) + "*</partition>"),
+            std::string::npos);
   EXPECT_EQ(client.find("<partition>*</partition>"), std::string::npos);
   EXPECT_EQ(observer.find("<publish>"), std::string::npos);
   EXPECT_NE(observer.find("<partition>*</partition>"), std::string::npos);

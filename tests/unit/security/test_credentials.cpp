@@ -86,7 +86,7 @@ TEST_P(CredentialsOf, WhosePermissionsWereChangedAreRefused) {
   std::ostringstream text;
   text << in.rdbuf();
   std::string changed = text.str();
-  const std::string mine = "<partition>" + partition_prefix("robot-7") + "*";
+  const std::string mine = "<partition>" + partition_prefix(read_credentials(folder_, vendor())) + "*";
   changed.replace(changed.find(mine), mine.size(), "<partition>*");
   std::ofstream(own(vendor() + "-permissions.p7s")) << changed;
   EXPECT_NE(complaint().find("was changed since"), std::string::npos) << complaint();
@@ -121,13 +121,14 @@ TEST_P(CredentialsOf, GarbledFilesEndInAComplaint) {
   }
 }
 
-TEST(ClientIds, BeginWithTheirHoldersPrefixAndDiffer) {
-  const msg::Id first = client_id("robot-7"), second = client_id("robot-7");
+TEST_P(CredentialsOf, GiveClientsIdsThatBeginAlikeAndDiffer) {
+  const Credentials mine = read_credentials(folder_, vendor());
+  const Credentials others = read_credentials(fleet_.issue("robot-8", Role::kClient), vendor());
+  const msg::Id first = client_id(mine), second = client_id(mine);
   EXPECT_NE(first, second);
-  EXPECT_EQ(msg::to_hex(first).substr(0, 16), partition_prefix("robot-7"));
-  EXPECT_TRUE(is_id_of("robot-7", second));
-  EXPECT_FALSE(is_id_of("robot-8", second));
-  EXPECT_NE(partition_prefix("robot-7"), partition_prefix("robot-8"));
+  EXPECT_EQ(msg::to_hex(first).substr(0, 12), partition_prefix(mine));
+  EXPECT_TRUE(is_id_of(mine, second));
+  EXPECT_FALSE(is_id_of(others, second));
 }
 
 }  // namespace

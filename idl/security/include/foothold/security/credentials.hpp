@@ -9,6 +9,7 @@
 //   cyclone-permissions.p7s, fastdds-permissions.p7s what its holder may read and write
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -35,6 +36,8 @@ struct Credentials {
   std::string name;  // of their holder
   Role role = Role::kClient;
   std::int64_t expires = 0;  // Unix time, s
+  // With which the GUIDs of its holder's participants begin (transport::Sender): a digest of the certificate's subject.
+  std::array<std::uint8_t, 6> sender{};
   CredentialFiles files;
 };
 
@@ -45,12 +48,13 @@ Credentials read_credentials(const std::string& folder, const std::string& vendo
 // The same, and refuses those of another role. `program`: who asks, for the message.
 Credentials read_credentials(const std::string& folder, const std::string& vendor, Role wanted, const std::string& program);
 
-// A client's partition is its id; where security is on, the first half of the id belongs to the holder of the credentials: its
-// permissions hold for the partitions that begin so, and each of its programs has one of its own there.
-// 16 hexadecimal digits.
-std::string partition_prefix(const std::string& name);
+// A client's partition is its id; where security is on, an id begins with who its holder is to others (Credentials::sender): the
+// permissions hold for partitions that begin so, and the server compares it with who sent the message. The rest is random: each
+// program of a holder has a partition of its own.
+// 12 hexadecimal digits.
+std::string partition_prefix(const Credentials& credentials);
 // A random id with that prefix.
-msg::Id client_id(const std::string& name);
-bool is_id_of(const std::string& name, const msg::Id& id);
+msg::Id client_id(const Credentials& credentials);
+bool is_id_of(const Credentials& credentials, const msg::Id& id);
 
 }  // namespace foothold::security

@@ -5,6 +5,7 @@
 // Nothing leaves 127.0.0.1 unless `network_config` names a vendor configuration that says otherwise.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -36,11 +37,17 @@ struct BusOptions {
   std::string security;
 };
 
+// Who wrote a message: the first octets of its participant's GUID. Where security is on they are a digest of its certificate's
+// subject, which it has proved to bear (DDS Security 1.1, 9.3.3): nobody speaks in another's name. Else they say nothing.
+using Sender = std::array<std::uint8_t, 6>;
+
 // What a reader tells. Called on the vendor's threads (with Cyclone also inside the write() of a writer in this process), one at a
 // time for one reader: copy or post, then return; never write to the bus, block, throw or destroy the reader inside.
 struct ReaderEvents {
   // The bytes live until it returns. They may be any: whoever decodes them counts what is malformed.
   std::function<void(std::span<const std::byte> message)> on_message;
+  // Instead of it, if set: with whoever wrote the message, or zeros if he is gone already.
+  std::function<void(std::span<const std::byte> message, const Sender& sender)> on_message_from;
   std::function<void(std::size_t matched)> on_matched;   // writers matched now; optional
   std::function<void(std::size_t alive)> on_liveliness;  // writers alive now; optional
 };
