@@ -67,7 +67,7 @@ void Daemon::run() {
 // Every robot is ready or refused: from here on the server can be heard.
 void Daemon::open_bus() {
   if (stopping_ || bus_) return;
-  tell_exposure(config_.dds);
+  credentials_expire_ = tell_exposure(config_.dds);
   bus_ = transport::open_bus({.vendor = config_.dds.vendor,
                               .domain = config_.dds.domain,
                               .network_config = config_.dds.network_config,

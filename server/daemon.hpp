@@ -110,6 +110,7 @@ class Daemon final : private RunEvents {
   std::string metrics_text_;  // what /metrics said last,
   Time metrics_made_{};       // and when
 
+  std::optional<std::int64_t> credentials_expire_;  // where DDS Security is on
   std::unique_ptr<transport::Bus> bus_;
   std::optional<Announcer> announcer_;
   std::optional<Partitions> partitions_;

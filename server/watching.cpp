@@ -69,6 +69,7 @@ ServerState Daemon::look() const {
   state.queue_limit = config_.queue_limit;
   state.reloads = reloads_;
   state.reloads_refused = reloads_refused_;
+  state.credentials_expire = credentials_expire_;
   state.uptime = std::chrono::duration<double>(clock_.now() - started_).count();
   for (const std::string& name : workers_.robots()) {
     const RobotStatus status = workers_.status(name);
@@ -91,6 +92,7 @@ ServerState Daemon::look() const {
   state.partitions = partitions_->size();
   state.left_out = partitions_->left_out();
   state.lost = inbox_->lost();
+  state.in_anothers_name = inbox_->in_anothers_name();
   for (const auto& topic : inbox_->figures())
     state.topics.push_back({topic_name(topic.topic), false, topic.matched, topic.unreadable});
   using transport::Topic;

@@ -69,6 +69,14 @@ void write_network(Exposition& out, const ServerState& server) {
     if (!topic.writes) out.sample({{"topic", topic.name}}, topic.unreadable);
   out.family("foothold_messages_lost_total", Kind::kCounter, "Messages of clients that found no room before the loop.");
   out.sample({}, server.lost);
+  out.family("foothold_messages_in_anothers_name_total", Kind::kCounter, "Messages that named a client other than who sent them.");
+  out.sample({}, server.in_anothers_name);
+  out.family("foothold_dds_security", Kind::kGauge, "1 where DDS Security is on.");
+  out.sample({}, std::uint64_t{server.credentials_expire.has_value()});
+  if (server.credentials_expire) {
+    out.family("foothold_credentials_expire_timestamp_seconds", Kind::kGauge, "When this server's credentials end (Unix time).");
+    out.sample({}, static_cast<std::uint64_t>(*server.credentials_expire));
+  }
   out.family("foothold_messages_left_out_total", Kind::kCounter, "Events and steps left out for clients that do not acknowledge.");
   out.sample({}, server.left_out);
   out.family("foothold_client_partitions", Kind::kGauge, "Clients that the server has writers open for.");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct ServerState {
   double uptime = 0.0;
   std::uint64_t partitions = 0, left_out = 0, lost = 0;
   std::uint64_t reloads = 0, reloads_refused = 0;
+  std::optional<std::int64_t> credentials_expire;  // Unix time, s; nothing: DDS Security is off
+  std::uint64_t in_anothers_name = 0;
   std::vector<Robot> robots;
   std::vector<Topic> topics;
 };

@@ -100,6 +100,8 @@ std::string Inbox::take_complaint() {
   return complaint;
 }
 
+std::uint64_t Inbox::in_anothers_name() const { return shared_->in_anothers_name; }
+
 std::vector<Inbox::TopicFigures> Inbox::figures() const {
   std::vector<TopicFigures> figures;
   for (const auto& [topic, reader] : readers_)

@@ -41,7 +41,8 @@ class Inbox {
     std::uint64_t unreadable;
   };
   std::vector<TopicFigures> figures() const;
-  std::uint64_t lost() const;  // since the start
+  std::uint64_t lost() const;              // since the start
+  std::uint64_t in_anothers_name() const;  // the same
 
  private:
   struct Shared;

@@ -85,6 +85,16 @@ class Counting : public ::testing::Test {
   RequestFigures figures_;
 };
 
+TEST(Exposition, TellsWhetherSecurityIsOnAndWhenTheCredentialsEnd) {
+  ServerState state;
+  EXPECT_NE(prometheus_text(state, RequestFigures()).find("\nfoothold_dds_security 0\n"), std::string::npos);
+  EXPECT_EQ(prometheus_text(state, RequestFigures()).find("foothold_credentials_expire"), std::string::npos);
+  state.credentials_expire = 1800000000;
+  EXPECT_NE(prometheus_text(state, RequestFigures()).find("\nfoothold_dds_security 1\n"), std::string::npos);
+  EXPECT_NE(prometheus_text(state, RequestFigures()).find("\nfoothold_credentials_expire_timestamp_seconds 1800000000\n"),
+            std::string::npos);
+}
+
 TEST_F(Counting, EveryFinalStateIsCountedOnceUnderItsRobot) {
   const auto request = [&](const std::string& name) {
     world_.submit(good_request(name));
