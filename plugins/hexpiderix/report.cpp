@@ -111,11 +111,4 @@ PlanReport blocked_report(const Walk& found) {
   return report;
 }
 
-PlanReport stopped_report() {
-  PlanReport report;
-  report.outcome = PlanReport::Outcome::kStopped;
-  report.message = "stopped before the end of the search";
-  return report;
-}
-
 }  // namespace foothold::hexpiderix

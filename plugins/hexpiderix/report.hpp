@@ -13,6 +13,5 @@ PlanReport failed_report(const Adaption& found);
 PlanReport walked_report(const Model& model, const Walk& found, const Stand& from, const Station& goal, const Options& options,
                          double time);
 PlanReport blocked_report(const Walk& found);
-PlanReport stopped_report();
 
 }  // namespace foothold::hexpiderix

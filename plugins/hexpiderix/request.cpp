@@ -3,42 +3,37 @@
 
 #include <array>
 #include <cmath>
-#include <sstream>
+
+#include "foothold/refuse.hpp"
 
 namespace foothold::hexpiderix {
 namespace {
 
 constexpr double kOnGround = 1e-4;  // m, between a supporting foot of a given posture and the ground
 
-template <class... Parts>
-[[noreturn]] void invalid(const std::string& field, const Parts&... parts) {
-  std::ostringstream out;
-  (out << ... << parts);
-  throw InvalidRequest(field, out.str());
-}
-
 std::size_t leg_of(const Contact& contact, const std::string& field) {
   for (std::size_t leg = 0; leg < kLegs; ++leg)
     if (contact.limb == "L" + std::to_string(leg + 1)) return leg;
-  invalid(field + ".limb", "must be one of ", kLimbs, ", is '", contact.limb, "'");
+  refuse_request(field + ".limb", "must be one of ", kLimbs, ", is '", contact.limb, "'");
 }
 
 void demand_joints(const Model& model, const std::vector<double>& joints) {
   constexpr std::size_t kJoints = 3 * kLegs;
   constexpr double kRounding = 1e-9;
-  if (joints.size() != kJoints) invalid("start.joints", "must be ", kJoints, " values, are ", joints.size(), ": ", kJointNames);
+  if (joints.size() != kJoints)
+    refuse_request("start.joints", "must be ", kJoints, " values, are ", joints.size(), ": ", kJointNames);
   for (std::size_t k = 0; k < kJoints; ++k)
     if (!model.limits[k % 3].holds(joints[k], kRounding))
-      invalid("start.joints[" + std::to_string(k) + "]", "must be between ", model.limits[k % 3].low, " and ",
-              model.limits[k % 3].high, " rad, is ", joints[k]);
+      refuse_request("start.joints[" + std::to_string(k) + "]", "must be between ", model.limits[k % 3].low, " and ",
+                     model.limits[k % 3].high, " rad, is ", joints[k]);
 }
 
 // The ground's point nearest to a base.
 Vector3d on_ground(const Ground& ground, const Options& options, const Isometry3d& base, const char* whose) {
   const terrain::Nearest near = ground.surface().nearest(base.translation());
   if (!(near.distance <= options.snap))
-    invalid(std::string(whose) + ".base.position", "lies ", near.distance, " m from the ground, at most ", options.snap,
-            " m are allowed (parameter snap)");
+    refuse_request(std::string(whose) + ".base.position", "lies ", near.distance, " m from the ground, at most ", options.snap,
+                   " m are allowed (parameter snap)");
   return near.point;
 }
 
@@ -47,14 +42,14 @@ Legs named_legs(const std::vector<Contact>& contacts) {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const std::string field = "start.contacts[" + std::to_string(k) + "]";
     const std::size_t leg = leg_of(contacts[k], field);
-    if (out[leg]) invalid(field + ".limb", contacts[k].limb, " is given twice");
+    if (out[leg]) refuse_request(field + ".limb", contacts[k].limb, " is given twice");
     out[leg] = true;
   }
   return out;
 }
 
 void demand_three(Legs supports, const std::string& field) {
-  if (supports.count() < 3) invalid(field, "needs three legs on the ground at least, has ", supports.count());
+  if (supports.count() < 3) refuse_request(field, "needs three legs on the ground at least, has ", supports.count());
 }
 
 // Feet of the legs that could stand, straight under where the standing robot has them.
@@ -104,7 +99,8 @@ Start as_joints_say(const Model& model, const Ground& ground, const Options& opt
     const terrain::Nearest near = ground.surface().nearest(foot);
     const bool stands = near.distance <= kOnGround;
     if (named[leg] && !stands)
-      invalid("start.joints", "foot L", leg + 1, " is ", near.distance, " m off the ground, but start.contacts has it there");
+      refuse_request("start.joints", "foot L", leg + 1, " is ", near.distance,
+                     " m off the ground, but start.contacts has it there");
     feet.supports[leg] = start.contacts.empty() ? stands : named[leg];
     if (!feet.supports[leg]) continue;
     feet.points[leg] = foot;
@@ -121,8 +117,8 @@ Start standing(const Model& model, const Ground& ground, const Options& options,
   const Vector3d place = start.base->translation();
   const terrain::Nearest near = ground.surface().nearest(place);
   if (!(near.distance <= options.snap))
-    invalid("start.base.position", "lies ", near.distance, " m from the ground, at most ", options.snap,
-            " m are allowed (parameter snap)");
+    refuse_request("start.base.position", "lies ", near.distance, " m from the ground, at most ", options.snap,
+                   " m are allowed (parameter snap)");
   const Plane plane{near.point, ground.surface().terrain().normals[static_cast<std::size_t>(near.triangle)]};
   const Vector3d ahead = start.base->linear().col(0);
   Start out;
@@ -135,7 +131,7 @@ Start standing(const Model& model, const Ground& ground, const Options& options,
     if (!feet.supports[leg]) continue;
     const auto found =
         footing(ground.surface(), out.situation.thorax * standing_foot(model, leg), -plane.normal, model.height() / 2);
-    if (!found) invalid("start.base.position", "there is no ground under foot L", leg + 1, " of the standing robot");
+    if (!found) refuse_request("start.base.position", "there is no ground under foot L", leg + 1, " of the standing robot");
     feet.points[leg] = found->point;
     feet.normals[leg] = found->normal;
   }
@@ -143,7 +139,7 @@ Start standing(const Model& model, const Ground& ground, const Options& options,
   out.situation.ground = plane_through(feet);
   out.situation.places = places_of(model, ground, options, out.situation);
   const Evaluation stands = as_it_stands(model, out.situation);
-  if (!stands.valid()) invalid("start.base", "the robot cannot stand there: ", reason(stands));
+  if (!stands.valid()) refuse_request("start.base", "the robot cannot stand there: ", reason(stands));
   out.at = stands.at;
   return out;
 }
@@ -163,9 +159,9 @@ Options read_options(const Parameters& parameters) {
   if (legs == "any") adapt.legs = FurtherLegs::kAny;
   out.any_place = parameters.text("places") == "any";
   if (out.any_place && adapt.legs == FurtherLegs::kKeep)
-    invalid("parameters.places", "are of legs that join; set legs to add or any");
+    refuse_request("parameters.places", "are of legs that join; set legs to add or any");
   if (adapt.method != Method::kOptimal && adapt.legs != FurtherLegs::kKeep)
-    invalid("parameters.legs", "is of method optimal; the paper's strategies choose their legs by themselves");
+    refuse_request("parameters.legs", "is of method optimal; the paper's strategies choose their legs by themselves");
   const std::string& supports = parameters.text("supports");
   out.supports = supports == "triad2" ? kTriad2 : supports == "all" ? Legs{0b111111} : kTriad1;
   adapt.share = parameters.real("share");
@@ -178,7 +174,8 @@ Options read_options(const Parameters& parameters) {
   const double yaw = parameters.real("yaw");
   grid.yaw = {-yaw, yaw, grid.roll.step};
   if (grid.height.low > grid.height.high)
-    invalid("parameters.lowest", "must be at most ", grid.height.high, " m, where the legs are stretched, is ", grid.height.low);
+    refuse_request("parameters.lowest", "must be at most ", grid.height.high, " m, where the legs are stretched, is ",
+                   grid.height.low);
   out.clearance = parameters.real("clearance");
   out.walk.stride = parameters.real("stride");
   out.walk.turn = parameters.real("turn");
@@ -193,29 +190,32 @@ Options read_options(const Parameters& parameters) {
 bool is_walk(const Request& request) { return request.goal.base || !request.goal.contacts.empty() || !request.goal.joints.empty(); }
 
 Stand read_stand(const Model& model, const Ground& ground, const Options& options, const Placement& start) {
-  if (start.any_orientation) invalid("start.any_orientation", "the start must be known");
-  if (!start.joints.empty()) invalid("start.joints", "are not read for a walk: it begins standing on six feet at start.base");
-  if (!start.contacts.empty()) invalid("start.contacts", "are not read for a walk: it begins standing on six feet at start.base");
-  if (!start.base) invalid("start.base", "is missing: a point of the ground under the robot and its heading");
+  if (start.any_orientation) refuse_request("start.any_orientation", "the start must be known");
+  if (!start.joints.empty())
+    refuse_request("start.joints", "are not read for a walk: it begins standing on six feet at start.base");
+  if (!start.contacts.empty())
+    refuse_request("start.contacts", "are not read for a walk: it begins standing on six feet at start.base");
+  if (!start.base) refuse_request("start.base", "is missing: a point of the ground under the robot and its heading");
   const Vector3d place = on_ground(ground, options, *start.base, "start");
   const Vector3d ahead = start.base->linear().col(0);
   std::string because;
   const auto stand = stand_at(model, ground, {place, std::atan2(ahead.y(), ahead.x())}, options.walk, &because);
-  if (!stand) invalid("start.base", "the robot cannot stand there on six feet: ", because);
+  if (!stand) refuse_request("start.base", "the robot cannot stand there on six feet: ", because);
   return *stand;
 }
 
 Station read_goal(const Ground& ground, const Options& options, const Stand& from, const Placement& goal) {
-  if (!goal.contacts.empty()) invalid("goal.contacts", "are not planned for; give goal.base, the point to walk to");
-  if (!goal.joints.empty()) invalid("goal.joints", "are not planned for; give goal.base, the point to walk to");
+  if (!goal.contacts.empty()) refuse_request("goal.contacts", "are not planned for; give goal.base, the point to walk to");
+  if (!goal.joints.empty()) refuse_request("goal.joints", "are not planned for; give goal.base, the point to walk to");
   const Vector3d ahead = goal.any_orientation ? from.at.thorax.linear().col(0) : goal.base->linear().col(0);
   return {on_ground(ground, options, *goal.base, "goal"), std::atan2(ahead.y(), ahead.x())};
 }
 
 Start read_start(const Model& model, const Ground& ground, const Options& options, const Placement& start) {
-  if (start.any_orientation) invalid("start.any_orientation", "the start must be known");
+  if (start.any_orientation) refuse_request("start.any_orientation", "the start must be known");
   if (!start.base)
-    invalid("start.base", "is missing: a point of the ground under the robot and its heading; or, with joints, the thorax' pose");
+    refuse_request("start.base",
+                   "is missing: a point of the ground under the robot and its heading; or, with joints, the thorax' pose");
   return start.joints.empty() ? standing(model, ground, options, start) : as_joints_say(model, ground, options, start);
 }
 

@@ -30,9 +30,8 @@ Posture standing_posture(const Coordinates& at, const Footholds& footholds) {
   for (std::size_t leg = 0; leg < kLegs; ++leg) {
     if (!footholds.supports[leg]) continue;
     const Vector3d up = footholds.normals[leg], ahead = at.thorax.linear().col(0);
-    const Vector3d y = up.cross(ahead).normalized();
     Contact contact{"L" + std::to_string(leg + 1), Isometry3d::Identity(), ""};
-    contact.frame.linear() << y.cross(up), y, up;
+    contact.frame.linear() = axes_along(up, ahead);
     contact.frame.translation() = footholds.points[leg];
     out.stance.push_back(contact);
   }

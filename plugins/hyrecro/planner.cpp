@@ -103,16 +103,11 @@ Found HyrecroPlanner::optimal(const Options& options, const PreparedTruss& scene
       ours.outcome == Found::Outcome::kStopped)
     return ours;
   const ForAWhile while_left(kSharedWithPaper * budget, stop);
-  if (!scene.as_paper) {
-    SamplingOptions sampling = options.sampling;
-    sampling.both_headings = false;
-    scene.as_paper = std::make_unique<const PreparedTruss>(model_, scene.truss, sampling, scene.clearance);
-  }
-  scene.as_paper->workspace = workspace(options, while_left.token());
-  if (!scene.as_paper->workspace) return ours;
+  scene.workspace = workspace(options, while_left.token());
+  if (!scene.workspace) return ours;
   PaperOptions as_kept = options.paper;
   as_kept.keeps = true;
-  Found papers = plan_paper(model_, *scene.as_paper, exact(scene.clearance), from.at, goal, as_kept, while_left.token(), {});
+  Found papers = plan_paper(model_, scene, exact(scene.clearance), from.at, goal, as_kept, while_left.token(), {});
   const bool better =
       papers.outcome == Found::Outcome::kReached && (ours.outcome != Found::Outcome::kReached || papers.cost < ours.cost);
   if (!better) return ours;

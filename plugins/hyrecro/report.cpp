@@ -43,11 +43,4 @@ PlanReport failed_report(const Failure& failure) {
   return report;
 }
 
-PlanReport stopped_report() {
-  PlanReport report;
-  report.outcome = PlanReport::Outcome::kStopped;
-  report.message = "stopped before the end of the search";
-  return report;
-}
-
 }  // namespace foothold::hyrecro

@@ -14,6 +14,5 @@ struct PlanTimes {
 PlanReport report_of(const Found& found, const Options& options, const truss::Truss& truss, const PlanTimes& times);
 // Why there is none. Any thread.
 PlanReport failed_report(const Failure& failure);
-PlanReport stopped_report();
 
 }  // namespace foothold::hyrecro

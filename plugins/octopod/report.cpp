@@ -107,11 +107,4 @@ PlanReport failed_report(const Options& options, const Route& route, int goal) {
   return report;
 }
 
-PlanReport stopped_report() {
-  PlanReport report;
-  report.outcome = PlanReport::Outcome::kStopped;
-  report.message = "stopped before the end of the search";
-  return report;
-}
-
 }  // namespace foothold::octopod

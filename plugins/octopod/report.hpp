@@ -17,6 +17,5 @@ struct Course {
 PlanReport found_report(const Ground& ground, const Options& options, const Route& route, const Course& course);
 // Why there is none to the node `goal`: the cut, or the limit that was met.
 PlanReport failed_report(const Options& options, const Route& route, int goal);
-PlanReport stopped_report();
 
 }  // namespace foothold::octopod

@@ -4,17 +4,11 @@
 #include <cmath>
 #include <sstream>
 
+#include "foothold/refuse.hpp"
 #include "terrain/surface.hpp"
 
 namespace foothold::octopod {
 namespace {
-
-template <class... Parts>
-[[noreturn]] void invalid(const std::string& field, const Parts&... parts) {
-  std::ostringstream out;
-  (out << ... << parts);
-  throw InvalidRequest(field, out.str());
-}
 
 std::string in_words(const Vector3d& p) {
   std::ostringstream out;
@@ -25,15 +19,17 @@ std::string in_words(const Vector3d& p) {
 // The node under a placement that must be a base alone.
 int node_under(const Ground& ground, const Options& options, const Placement& placement, const std::string& name) {
   if (!placement.contacts.empty())
-    invalid(name + ".contacts", "are not read: give ", name, ".base, a point of the terrain; the planner finds the feet's places");
+    refuse_request(name + ".contacts", "are not read: give ", name,
+                   ".base, a point of the terrain; the planner finds the feet's places");
   if (!placement.joints.empty())
-    invalid(name + ".joints", "are not read: give ", name, ".base, a point of the terrain; the planner finds the posture over it");
-  if (!placement.base) invalid(name + ".base", "is missing: a point of the terrain, under the middle of the robot");
+    refuse_request(name + ".joints", "are not read: give ", name,
+                   ".base, a point of the terrain; the planner finds the posture over it");
+  if (!placement.base) refuse_request(name + ".base", "is missing: a point of the terrain, under the middle of the robot");
   const Vector3d at = placement.base->translation();
   const double off = ground.surface().nearest(at).distance;
   if (!(off <= options.snap))
-    invalid(name + ".base.position", "lies ", off, " m from the terrain, at most ", options.snap,
-            " m are allowed (parameter snap): ", in_words(at));
+    refuse_request(name + ".base.position", "lies ", off, " m from the terrain, at most ", options.snap,
+                   " m are allowed (parameter snap): ", in_words(at));
   return ground.nearest_node(at);
 }
 
@@ -76,7 +72,7 @@ Options read_options(const Parameters& parameters) {
   out.ground.clearance = parameters.real("clearance");
   out.route.stability = parameters.flag("stability");
   if (out.ground.cone_edges == 1 || out.ground.cone_edges == 2)
-    invalid("parameters.cone_edges", "must be 0 (the exact cone) or 3 at least, is ", out.ground.cone_edges);
+    refuse_request("parameters.cone_edges", "must be 0 (the exact cone) or 3 at least, is ", out.ground.cone_edges);
   const double steepest = parameters.real("node_slope");
   out.route.steepest = steepest > 0.0 ? steepest : steepest_held(out.ground.friction, out.ground.cone_edges);
   out.route.weights = {parameters.real("place_weight"), parameters.real("orientation_weight"), parameters.real("joint_weight")};
@@ -84,9 +80,9 @@ Options read_options(const Parameters& parameters) {
   out.route.max_states = parameters.integer("max_states");
   out.route.samples = parameters.integer("samples");
   if (out.transitions && out.method == Method::kPaper)
-    invalid("parameters.transitions", "are not known to method paper; set transitions to false with it");
+    refuse_request("parameters.transitions", "are not known to method paper; set transitions to false with it");
   if (out.transitions && !out.route.stability)
-    invalid("parameters.transitions", "lead from one stable stance to the next; set transitions to false when stability is");
+    refuse_request("parameters.transitions", "lead from one stable stance to the next; set transitions to false when stability is");
   return out;
 }
 
@@ -120,17 +116,18 @@ State read_start(const Ground& ground, const Options& options, const Request& re
     if (best < 0 || along > most) best = state, most = along;
   }
   const std::string where = " over the nearest node " + in_words(at);
-  if (best < 0) invalid("start.base.position", "the robot cannot begin", where, " in any orientation: ", because);
+  if (best < 0) refuse_request("start.base.position", "the robot cannot begin", where, " in any orientation: ", because);
   const std::string refused = refusal(ground, options, best);
   if (!refused.empty())
-    invalid("start.base", "the robot cannot begin", where, " in this orientation: ", refused, "; any_orientation tries the others");
+    refuse_request("start.base", "the robot cannot begin", where, " in this orientation: ", refused,
+                   "; any_orientation tries the others");
   return best;
 }
 
 int read_goal(const Ground& ground, const Options& options, const Placement& goal) {
   const int node = node_under(ground, options, goal, "goal");
   if (!goal.any_orientation)
-    invalid("goal.any_orientation", "must be set: the goal is a point of the terrain, in whichever orientation costs least");
+    refuse_request("goal.any_orientation", "must be set: the goal is a point of the terrain, in whichever orientation costs least");
   return node;
 }
 

@@ -84,11 +84,4 @@ PlanReport report_of(Method method, const Target& goal, const Limits& limits, co
   return report;
 }
 
-PlanReport stopped_report() {
-  PlanReport report;
-  report.outcome = PlanReport::Outcome::kStopped;
-  report.message = "stopped before the end of the search";
-  return report;
-}
-
 }  // namespace foothold::xrobin

@@ -9,6 +9,4 @@ namespace foothold::xrobin {
 // Cost, lower bound, objective and outcome of a solution by `method`.
 PlanReport report_of(Method method, const Target& goal, const Limits& limits, const Mechanism& mechanism, const Solution& solution);
 
-PlanReport stopped_report();
-
 }  // namespace foothold::xrobin

@@ -20,24 +20,8 @@ using namespace foothold;
 using namespace foothold::hexpiderix;
 using namespace foothold::hexpiderix::testing;
 using foothold::bench::Figure;
+using foothold::bench::least_seconds;
 using foothold::bench::percentile;
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-template <class Work>
-double least_seconds(int runs, Work&& work) {
-  double least = 1e9;
-  for (int k = 0; k < runs; ++k) {
-    const double begin = cpu_seconds();
-    work();
-    least = std::min(least, cpu_seconds() - begin);
-  }
-  return least;
-}
 
 double sink = 0.0;  // so that nothing measured is left out
 

@@ -25,23 +25,6 @@ using terrain::Surface;
 using terrain::Terrain;
 using terrain::Vector3d;
 
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-template <class Work>
-double least_seconds(int runs, Work&& work) {
-  double least = 1e9;
-  for (int k = 0; k < runs; ++k) {
-    const double begin = cpu_seconds();
-    work();
-    least = std::min(least, cpu_seconds() - begin);
-  }
-  return least;
-}
-
 std::filesystem::path as_binary_stl(const Terrain& terrain) {
   const auto path = std::filesystem::temp_directory_path() / ("bench_terrain_" + std::to_string(getpid()) + ".stl");
   std::ofstream file(path, std::ios::binary);

@@ -1,6 +1,8 @@
 // The report of a bench, and order statistics.
 #include "figures.hpp"
 
+#include <ctime>
+
 #include <sys/utsname.h>
 #include <unistd.h>
 
@@ -80,6 +82,12 @@ double percentile(std::vector<double> values, double part) {
   const auto at = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1) + 0.5);
   std::nth_element(values.begin(), values.begin() + at, values.end());
   return values[static_cast<std::size_t>(at)];
+}
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 }  // namespace foothold::bench

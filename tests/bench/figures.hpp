@@ -1,6 +1,8 @@
 // How every bench ends: a table for people, then one line of JSON.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,5 +28,20 @@ bool quick(int count, char** words);
 
 // The value below which `part` (0..1) of the values lie. Precondition: not empty.
 double percentile(std::vector<double> values, double part);
+
+// Time of the calling thread on its processor: what other work on the machine does not lengthen.
+double cpu_seconds();
+
+// Of some runs of the same work the shortest, s.
+template <class Work>
+double least_seconds(int runs, Work&& work) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < runs; ++k) {
+    const double begin = cpu_seconds();
+    work();
+    least = std::min(least, cpu_seconds() - begin);
+  }
+  return least;
+}
 
 }  // namespace foothold::bench

@@ -54,6 +54,14 @@ struct PlanReport {
   std::vector<Margin> figures;  // the planner's own, such as the distance left to the goal
 };
 
+// What plan() returns when it was told to stop, or when nothing more is wanted. Any thread.
+inline PlanReport stopped_report() {
+  PlanReport report;
+  report.outcome = PlanReport::Outcome::kStopped;
+  report.message = "stopped before the end of the search";
+  return report;
+}
+
 // What plan() is given to work with.
 class PlanContext {
  public:

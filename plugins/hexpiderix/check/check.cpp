@@ -219,11 +219,7 @@ StepVerdict judge_step(const Model& model, const terrain::Surface& surface, cons
 
 StepVerdict check_step(const Model& model, const terrain::Surface& surface, const Step& step, const Posture& before,
                        const CheckOptions& options) {
-  try {
-    return judge_step(model, surface, step, before, options);
-  } catch (const judge::Refusal& refusal) {
-    return {false, refusal.reason, {}};
-  }
+  return judge::verdict_of([&] { return judge_step(model, surface, step, before, options); });
 }
 
 }  // namespace foothold::hexpiderix

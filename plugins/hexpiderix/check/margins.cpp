@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/certificate.hpp"
-#include "contact/projection.hpp"
+#include "contact/balance.hpp"
 
 namespace foothold::hexpiderix {
 
@@ -34,9 +33,7 @@ double tipping_height(const std::vector<Support>& supports, const Vector3d& cent
 bool balanced(const std::vector<Support>& supports, const Vector3d& centre_of_mass, double friction) {
   std::vector<contact::Contact> contacts;
   for (const Support& support : supports) contacts.push_back({support.point, support.normal});
-  const auto cone = contact::FrictionCone::circular();
-  const contact::Verdict verdict = contact::judge_by_projection(contacts, centre_of_mass, friction, cone);
-  return verdict.stable && contact::proves(verdict, contacts, centre_of_mass, friction, cone);
+  return contact::balanced(contacts, centre_of_mass, friction, contact::FrictionCone::circular());
 }
 
 }  // namespace foothold::hexpiderix

@@ -35,6 +35,10 @@ LegPoints leg_points(const Model& model, std::size_t leg, const Vector3d& joints
   return {coxa, coxa + mount.out(points.hip), coxa + mount.out(points.knee), coxa + mount.out(points.foot)};
 }
 
+Vector3d ankle_of(const Model& model, const LegPoints& points) {
+  return points.foot + model.toe / model.leg.tibia * (points.knee - points.foot);
+}
+
 Vector3d standing_joints() { return {0, 0, -std::numbers::pi / 2}; }
 
 Vector3d standing_foot(const Model& model, std::size_t leg) {
@@ -93,7 +97,7 @@ std::vector<Shape> shapes(const Model& model, const Coordinates& at) {
   for (std::size_t leg = 0; leg < kLegs; ++leg) {
     const std::string name = "L" + std::to_string(leg + 1);
     const LegPoints points = leg_points(model, leg, at.legs[leg]);
-    const Vector3d ankle = points.foot + model.toe / model.leg.tibia * (points.knee - points.foot);
+    const Vector3d ankle = ankle_of(model, points);
     const std::array<std::pair<const char*, std::pair<Vector3d, Vector3d>>, 3> links{
         {{".coxa", {points.coxa, points.hip}}, {".femur", {points.hip, points.knee}}, {".tibia", {points.knee, ankle}}}};
     for (const auto& [link, ends] : links) {

@@ -23,6 +23,9 @@ struct LegPoints {
 };
 LegPoints leg_points(const Model& model, std::size_t leg, const Vector3d& joints);
 
+// Where the tibia ends and the toe begins, in the thorax' frame.
+Vector3d ankle_of(const Model& model, const LegPoints& points);
+
 // Where a leg's foot is when the robot stands: joints 0 but the tibia vertical. In the thorax' frame.
 Vector3d standing_foot(const Model& model, std::size_t leg);
 // The joints of the standing robot, and of a leg that swings with its foot `lift` (m) above its standing place.

@@ -30,11 +30,7 @@ double side_opposite(double a, double b, double angle) { return std::sqrt(a * a 
 
 PoseBound::PoseBound(const Model& model, const Plane& ground, const Footholds& footholds, const Isometry3d& frame, double clearance)
     : model_(model), ground_(ground), footholds_(footholds), frame_(frame), clearance_(clearance) {
-  std::array<Vector3d, kLegs> feet;
-  std::size_t count = 0;
-  for (std::size_t leg = 0; leg < kLegs; ++leg)
-    if (footholds.supports[leg]) feet[count++] = footholds.points[leg];
-  const contact::SupportPolygon polygon = contact::support_polygon({feet.data(), count});
+  const contact::SupportPolygon polygon = polygon_of(footholds, footholds.supports);
   for (std::size_t i = 0; i < polygon.count && polygon.count >= 3; ++i) {
     const Vector3d& a = polygon.corners[i];
     const Vector3d along = (polygon.corners[(i + 1) % polygon.count] - a).normalized();
@@ -50,7 +46,7 @@ PoseBound::PoseBound(const Model& model, const Plane& ground, const Footholds& f
     corners_[i] = {out * std::cos(angle), out * std::sin(angle), -model.thorax_height / 2};
     const Vector3d coxa = leg_points(model, i, Vector3d::Zero()).coxa;
     mounts_[i] = {coxa.normalized(), Vector3d::UnitZ().cross(coxa.normalized()), coxa};
-    tabulate_swing(i);
+    if (!footholds.supports[i]) tabulate_swing(i);
   }
 }
 

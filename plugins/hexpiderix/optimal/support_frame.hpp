@@ -13,8 +13,7 @@ inline Isometry3d support_frame(const Situation& from) {
     if (from.footholds.supports[leg]) sum += from.footholds.points[leg];
   const Vector3d mean = sum / std::max(1.0, static_cast<double>(from.footholds.supports.count()));
   Isometry3d frame = Isometry3d::Identity();
-  const Vector3d y = from.ground.normal.cross(Vector3d(from.thorax.linear().col(0))).normalized();
-  frame.linear() << y.cross(from.ground.normal), y, from.ground.normal;
+  frame.linear() = axes_along(from.ground.normal, from.thorax.linear().col(0));
   frame.translation() = mean - from.ground.above(mean) * from.ground.normal;
   return frame;
 }

@@ -14,14 +14,14 @@ using Fault = Evaluation::Fault;
 using collision::Capsule;
 
 struct Leg {
-  Vector3d hip, knee, foot;  // world
-  Vector3d middle;           // of a ball that holds the three
-  double reach;              // its radius
+  Vector3d hip, knee, ankle, foot;  // world
+  Vector3d middle;                  // of a ball that holds the three
+  double reach;                     // its radius
 };
 
 Leg leg_at(const Model& model, const Coordinates& at, std::size_t which) {
   const LegPoints points = leg_points(model, which, at.legs[which]);
-  Leg out{at.thorax * points.hip, at.thorax * points.knee, at.thorax * points.foot, {}, {}};
+  Leg out{at.thorax * points.hip, at.thorax * points.knee, at.thorax * ankle_of(model, points), at.thorax * points.foot, {}, {}};
   out.middle = (out.hip + out.knee + out.foot) / 3.0;
   out.reach = std::sqrt(std::max({(out.hip - out.middle).squaredNorm(), (out.knee - out.middle).squaredNorm(),
                                   (out.foot - out.middle).squaredNorm()})) +
@@ -44,8 +44,7 @@ Contacting trouble_with_itself(const Model& model, const Coordinates& at, const 
       const double distance = between(model, legs[i], legs[j]);
       if (distance < clearance) return {Fault::kLegOnLeg, i, j, distance};
     }
-  const collision::Box thorax{at.thorax,
-                              {model.thorax_width / 2, model.thorax_width * std::numbers::sqrt3 / 4, model.thorax_height / 2}};
+  const collision::Box thorax = thorax_box(model, at.thorax);
   for (std::size_t i = 0; i < kLegs; ++i) {
     const Capsule tibia{legs[i].knee, legs[i].foot, model.leg_radius};
     if (!collision::nearer(tibia, thorax, clearance)) continue;
@@ -56,12 +55,15 @@ Contacting trouble_with_itself(const Model& model, const Coordinates& at, const 
 
 }  // namespace
 
+collision::Box thorax_box(const Model& model, const Isometry3d& thorax) {
+  return {thorax, {model.thorax_width / 2, model.thorax_width * std::numbers::sqrt3 / 4, model.thorax_height / 2}};
+}
+
 Contacting nearest_trouble(const Model& model, const Coordinates& at, const Plane& ground, Legs supports, double clearance) {
   std::array<Leg, kLegs> legs;
   for (std::size_t i = 0; i < kLegs; ++i) {
     legs[i] = leg_at(model, at, i);
-    const Vector3d ankle = legs[i].foot + model.toe / model.leg.tibia * (legs[i].knee - legs[i].foot);
-    double low = std::min({ground.above(legs[i].hip), ground.above(legs[i].knee), ground.above(ankle)}) - model.leg_radius;
+    double low = std::min({ground.above(legs[i].hip), ground.above(legs[i].knee), ground.above(legs[i].ankle)}) - model.leg_radius;
     if (!supports[i]) low = std::min(low, ground.above(legs[i].foot));
     // A foot raised to exactly the clearance has it.
     if (low < clearance - 1e-9) return {Fault::kLegOnGround, i, i, low};

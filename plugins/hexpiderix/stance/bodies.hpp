@@ -5,9 +5,13 @@
 // femur touches the thorax by construction and is not judged against it. Metres. Any thread.
 #pragma once
 
+#include "collision/distance.hpp"
 #include "hexpiderix/stance/stance.hpp"
 
 namespace foothold::hexpiderix {
+
+// Round the hexagon.
+collision::Box thorax_box(const Model& model, const Isometry3d& thorax);
 
 // The first fault that was found, or none.
 struct Contacting {

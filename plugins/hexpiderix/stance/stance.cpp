@@ -48,11 +48,25 @@ Plane tilted_plane(double slope, double direction) {
   return {Vector3d::Zero(), {std::sin(slope) * std::cos(direction), std::sin(slope) * std::sin(direction), std::cos(slope)}};
 }
 
+Eigen::Matrix3d axes_along(const Vector3d& up, const Vector3d& ahead) {
+  const Vector3d y = up.cross(ahead).normalized();
+  Eigen::Matrix3d axes;
+  axes << y.cross(up), y, up;
+  return axes;
+}
+
+contact::SupportPolygon polygon_of(const Footholds& footholds, Legs legs) {
+  std::array<Vector3d, kLegs> feet;
+  std::size_t count = 0;
+  for (std::size_t leg = 0; leg < kLegs; ++leg)
+    if (legs[leg]) feet[count++] = footholds.points[leg];
+  return contact::support_polygon({feet.data(), count});
+}
+
 Isometry3d standing_thorax(const Model& model, const Plane& plane, const Vector3d& centre, double heading) {
   Isometry3d pose = Isometry3d::Identity();
   const Vector3d ahead(std::cos(heading), std::sin(heading), 0.0);
-  const Vector3d y = plane.normal.cross(ahead).normalized();
-  pose.linear() << y.cross(plane.normal), y, plane.normal;
+  pose.linear() = axes_along(plane.normal, ahead);
   pose.translation() = centre - plane.above(centre) * plane.normal + model.height() * plane.normal;
   return pose;
 }
@@ -100,11 +114,7 @@ Evaluation stability_of(const Model& model, const Footholds& footholds, const Co
   out.fault = Evaluation::Fault::kNone;
   out.at = at;
   out.centre_of_mass = at.thorax * centre_of_mass(model, at.legs);
-  std::array<Vector3d, kLegs> feet;
-  std::size_t count = 0;
-  for (std::size_t leg = 0; leg < kLegs; ++leg)
-    if (footholds.supports[leg]) feet[count++] = footholds.points[leg];
-  const contact::SupportPolygon polygon = contact::support_polygon({feet.data(), count});
+  const contact::SupportPolygon polygon = polygon_of(footholds, footholds.supports);
   out.nesm = contact::nesm(polygon, out.centre_of_mass).value;
   out.margin = contact::projected_margin(polygon, out.centre_of_mass);
   return out;

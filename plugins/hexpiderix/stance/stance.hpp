@@ -8,6 +8,7 @@
 #include <string>
 
 #include "contact/equilibrium.hpp"
+#include "contact/support_polygon.hpp"
 #include "hexpiderix/model/body.hpp"
 
 namespace foothold::hexpiderix {
@@ -18,6 +19,9 @@ struct Plane {
   Vector3d normal = Vector3d::UnitZ();
   double above(const Vector3d& p) const { return (p - point).dot(normal); }
 };
+
+// Axes with Z along `up` (unit) and X as near to `ahead` as that allows.
+Eigen::Matrix3d axes_along(const Vector3d& up, const Vector3d& ahead);
 
 // A plane that falls by `slope` (rad) towards `direction` (rad from +X, seen from above); slope 0 is level.
 Plane tilted_plane(double slope, double direction);
@@ -47,6 +51,9 @@ struct Evaluation {
   bool valid() const { return fault == Fault::kNone; }
 };
 std::string reason(const Evaluation& evaluation);
+
+// Of the feet of these legs.
+contact::SupportPolygon polygon_of(const Footholds& footholds, Legs legs);
 
 // What swing legs do in a posture: their feet hang `lift` (m) above their standing places.
 struct Swing {

@@ -25,8 +25,7 @@ const std::vector<Eigen::Vector2d>& offsets() {
 // Frame on a plane: origin under the station, X its heading.
 Isometry3d frame_at(const Plane& plane, double heading) {
   Isometry3d frame = Isometry3d::Identity();
-  const Vector3d y = plane.normal.cross(Vector3d(std::cos(heading), std::sin(heading), 0.0)).normalized();
-  frame.linear() << y.cross(plane.normal), y, plane.normal;
+  frame.linear() = axes_along(plane.normal, {std::cos(heading), std::sin(heading), 0.0});
   frame.translation() = plane.point;
   return frame;
 }

@@ -1,7 +1,5 @@
 #include "hexpiderix/walk/instant.hpp"
 
-#include <numbers>
-
 #include "contact/nesm.hpp"
 #include "hexpiderix/stance/bodies.hpp"
 
@@ -21,26 +19,20 @@ bool place_feet(const Model& model, const Isometry3d& thorax, const std::array<V
 
 double nesm_on(const Model& model, const Coordinates& at, const Footholds& feet, Legs supports, Vector3d& com) {
   com = at.thorax * centre_of_mass(model, at.legs);
-  std::array<Vector3d, kLegs> points;
-  std::size_t count = 0;
-  for (std::size_t leg = 0; leg < kLegs; ++leg)
-    if (supports[leg]) points[count++] = feet.points[leg];
-  return contact::nesm(contact::support_polygon({points.data(), count}), com).value;
+  return contact::nesm(polygon_of(feet, supports), com).value;
 }
 
 std::string in_the_way(const Model& model, const terrain::Surface& surface, const Coordinates& at, double clearance) {
   for (std::size_t leg = 0; leg < kLegs; ++leg) {
     const LegPoints points = leg_points(model, leg, at.legs[leg]);
-    const Vector3d hip = at.thorax * points.hip, knee = at.thorax * points.knee, foot = at.thorax * points.foot;
-    const Vector3d ankle = foot + model.toe / model.leg.tibia * (knee - foot);
+    const Vector3d hip = at.thorax * points.hip, knee = at.thorax * points.knee, ankle = at.thorax * ankle_of(model, points);
     const std::string name = "leg " + std::to_string(leg + 1);
     if (surface.under(knee)) return name + " in the ground";
     for (const collision::Capsule& link :
          {collision::Capsule{hip, knee, model.leg_radius}, collision::Capsule{knee, ankle, model.leg_radius}})
       if (surface.nearer(link, clearance)) return name + " and the ground";
   }
-  const collision::Box thorax{at.thorax,
-                              {model.thorax_width / 2, model.thorax_width * std::numbers::sqrt3 / 4, model.thorax_height / 2}};
+  const collision::Box thorax = thorax_box(model, at.thorax);
   if (surface.nearer(thorax, clearance) || surface.under(at.thorax.translation())) return "the thorax and the ground";
   const Contacting self = trouble_with_itself(model, at, clearance);
   if (self.fault == Evaluation::Fault::kLegOnLeg)

@@ -25,9 +25,7 @@ Isometry3d thorax_over(const Plane& plane, double heading, double height, double
     axis = Vector3d::UnitX();
   }
   Isometry3d out = Isometry3d::Identity();
-  const Vector3d y = up.cross(Vector3d(std::cos(heading), std::sin(heading), 0.0)).normalized();
-  Eigen::Matrix3d parallel;
-  parallel << y.cross(up), y, up;
+  const Eigen::Matrix3d parallel = axes_along(up, {std::cos(heading), std::sin(heading), 0.0});
   out.linear() = Eigen::AngleAxisd(share * slope, axis).toRotationMatrix() * parallel;
   out.translation() = plane.point + height * up + shift * uphill;
   return out;

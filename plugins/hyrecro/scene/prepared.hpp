@@ -28,8 +28,6 @@ struct PreparedTruss final : PreparedScene {
   };
   mutable std::unique_ptr<Kept> kept;
   mutable std::unique_ptr<Kept> kept_by_paper;  // the same for `method: paper`
-  // The same truss with the footholds of the paper alone; made when first needed.
-  mutable std::unique_ptr<const PreparedTruss> as_paper;
 };
 
 }  // namespace foothold::hyrecro

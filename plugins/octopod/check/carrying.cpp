@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "contact/balance.hpp"
 #include "contact/support_polygon.hpp"
-#include "octopod/check/balance.hpp"
 
 namespace foothold::octopod {
 namespace {
@@ -46,7 +46,7 @@ void Carrying::judge() {
   const contact::SupportPolygon hull = contact::support_polygon(places_);
   const std::vector<Vector3d> corners = hull.count >= 3 ? std::vector<Vector3d>(hull.begin(), hull.end()) : places_;
   for (const Vector3d& at : corners) {
-    if (balanced(contacts_, at, setting_->options.friction, setting_->cone())) continue;
+    if (contact::balanced(contacts_, at, setting_->options.friction, setting_->cone())) continue;
     std::string names;
     for (std::size_t k = 0; k < kLegs; ++k)
       if (feet_[k] != 0) names += " " + limb(static_cast<int>(k));

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "octopod/check/balance.hpp"
+#include "contact/balance.hpp"
 #include "octopod/check/course.hpp"
 #include "octopod/check/itself.hpp"
 #include "terrain/surface.hpp"
@@ -49,10 +49,11 @@ StepVerdict judge_step(const Model& model, const terrain::Surface& surface, cons
   double clearance = judge_clear(setting, at, "the posture after");
   double apart = judge_apart(setting, at, "the posture after");
 
-  const double needed = least_friction(to, at.centre_of_mass, options.stability ? options.friction : kMostFriction, setting.cone());
-  if (options.stability && !balanced(to, at.centre_of_mass, options.friction, setting.cone()))
+  const double needed =
+      contact::least_friction(to, at.centre_of_mass, options.stability ? options.friction : kMostFriction, setting.cone());
+  if (options.stability && !contact::balanced(to, at.centre_of_mass, options.friction, setting.cone()))
     refuse("the posture after is not in equilibrium at friction ", options.friction, "; it needs ",
-           least_friction(to, at.centre_of_mass, kMostFriction, setting.cone()), " (", kMostFriction, ": or more)");
+           contact::least_friction(to, at.centre_of_mass, kMostFriction, setting.cone()), " (", kMostFriction, ": or more)");
   StepVerdict verdict{true, "", {}};
   if (options.transitions && step.motion.empty()) refuse("the step brings no motion");
   if (!step.motion.empty()) {
@@ -73,11 +74,7 @@ StepVerdict judge_step(const Model& model, const terrain::Surface& surface, cons
 
 StepVerdict check_step(const Model& model, const terrain::Surface& surface, const Step& step, const Posture& before,
                        const CheckOptions& options) {
-  try {
-    return judge_step(model, surface, step, before, options);
-  } catch (const judge::Refusal& refusal) {
-    return {false, refusal.reason, {}};
-  }
+  return judge::verdict_of([&] { return judge_step(model, surface, step, before, options); });
 }
 
 }  // namespace foothold::octopod

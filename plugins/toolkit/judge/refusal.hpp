@@ -22,6 +22,16 @@ template <class... Parts>
   throw Refusal{out.str()};
 }
 
+// What `judge` returns, or its refusal as a verdict.
+template <class Judge>
+StepVerdict verdict_of(const Judge& judge) {
+  try {
+    return judge();
+  } catch (const Refusal& refusal) {
+    return {false, refusal.reason, {}};
+  }
+}
+
 inline constexpr double kPoseTolerance = 1e-6;  // m and rad, between what is sent and what the joints say
 inline constexpr double kSame = 1e-9;           // m and rad, of what is sent twice
 
