@@ -1,45 +1,14 @@
-// Poses in the robot's plane: x, y in metres, heading in radians about the normal of the plane.
+// Poses in the robot's plane.
 #pragma once
 
-#include <Eigen/Geometry>
-#include <cmath>
-#include <numbers>
+#include "geometry/planar_pose.hpp"
 
 namespace foothold::xrobin {
 
-struct PlanarPose {
-  double x = 0.0;
-  double y = 0.0;
-  double heading = 0.0;
-};
-
-// a after which b is taken in a's frame.
-inline PlanarPose operator*(const PlanarPose& a, const PlanarPose& b) {
-  const double c = std::cos(a.heading);
-  const double s = std::sin(a.heading);
-  return {a.x + c * b.x - s * b.y, a.y + s * b.x + c * b.y, a.heading + b.heading};
-}
-
-inline PlanarPose inverse(const PlanarPose& a) {
-  const double c = std::cos(a.heading);
-  const double s = std::sin(a.heading);
-  return {-c * a.x - s * a.y, s * a.x - c * a.y, -a.heading};
-}
-
-// The angle of the same direction in (-pi, pi].
-inline double wrapped(double angle) {
-  const double turns = std::ceil((angle - std::numbers::pi) / (2.0 * std::numbers::pi));
-  return angle - turns * 2.0 * std::numbers::pi;
-}
-
-inline double distance(const PlanarPose& a, const PlanarPose& b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-// In the plane z = 0 of the world.
-inline Eigen::Isometry3d to_world(const PlanarPose& pose) {
-  Eigen::Isometry3d out = Eigen::Isometry3d::Identity();
-  out.translate(Eigen::Vector3d(pose.x, pose.y, 0.0));
-  out.rotate(Eigen::AngleAxisd(pose.heading, Eigen::Vector3d::UnitZ()));
-  return out;
-}
+using geometry::distance;
+using geometry::inverse;
+using geometry::PlanarPose;
+using geometry::to_world;
+using geometry::wrapped;
 
 }  // namespace foothold::xrobin

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "check.hpp"
+#include "geometry/walls.hpp"
 #include "obstacle_solver.hpp"
 #include "report.hpp"
 #include "request.hpp"
@@ -18,23 +19,14 @@ class PreparedPlane final : public PreparedScene {
   explicit PreparedPlane(Surroundings surroundings) : surroundings_(std::move(surroundings)) {}
   const Surroundings& surroundings() const { return surroundings_; }
 
-  // Each obstacle as walls and a roof, as high as the robot: a flat outline would be something to stand on.
+  // Each obstacle as high as the robot, whatever its own height: Xrobin goes over none.
   std::vector<Shape> shapes() const override {
     const Bodies& robot = surroundings_.bodies();
     const double height = std::max(robot.a.height, robot.b.height) + 2.0 * robot.piston_radius;
     std::vector<Shape> out;
-    const auto add = [&](const std::string& name, std::vector<Vector3d> vertices) {
-      out.push_back({Shape::Kind::kPolygon, name, Isometry3d::Identity(), Vector3d::Zero(), std::move(vertices)});
-    };
     for (const geometry::Obstacle& obstacle : surroundings_.obstacles()) {
-      std::vector<Vector3d> roof;
-      for (const geometry::Vector2d& v : obstacle.polygon) roof.emplace_back(v.x(), v.y(), height);
-      const Vector3d down(0.0, 0.0, -height);
-      for (std::size_t i = 0; i < roof.size(); ++i) {
-        const Vector3d &from = roof[i], &to = roof[(i + 1) % roof.size()];
-        add(obstacle.name, {from + down, to + down, to, from});
-      }
-      add(obstacle.name, std::move(roof));
+      const std::vector<Shape> walls = geometry::walls_of(obstacle, height);
+      out.insert(out.end(), walls.begin(), walls.end());
     }
     return out;
   }

@@ -102,15 +102,15 @@ bool Judge::Inside::keeps_place(const Snapshot& a, const Snapshot& b, const Bend
 bool Judge::Inside::above_ground(const Snapshot& a, const Snapshot& b, const Bends* bends, unsigned touching) const {
   const bool moving = bends != nullptr;
   const Side swing = other(ground.support.foot);
-  // Heights over the sole of everything but the feet: spheres round hip blocks, thighs and shins first.
+  // Heights over the sole of everything but the feet and the ankle blocks, which stand on the feet's plates: spheres first.
   const auto lowest = [&](const Snapshot& at) {
     const Vector3d up = at.sole_turn.col(2);
     const double sole = up.dot(at.sole);
     const Along n = along(legs, at.stand, in_both(up));
     const auto least = [&](bool spheres) {
       Lanes out = all(1e9);
-      for (std::size_t k = kHipBlock; k <= kAnkleBlock; ++k) {
-        const Lanes extent = spheres && k < kAnkleBlock ? legs.boxes[k].radius : extent_along(legs, at.stand, n, k);
+      for (std::size_t k = kHipBlock; k < kAnkleBlock; ++k) {
+        const Lanes extent = spheres ? legs.boxes[k].radius : extent_along(legs, at.stand, n, k);
         const Lanes bottom = centre_along(at.stand, n, k) - extent;
         out = smaller(out, moving ? bottom - 0.125 * bends->from_sole[k] : bottom);
       }

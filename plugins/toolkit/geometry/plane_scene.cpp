@@ -42,10 +42,14 @@ PlaneScene scene(const YAML::Node& root) {
   std::set<std::string> names;
   for (std::size_t k = 0; k < list.size(); ++k) {
     const std::string field = at("obstacles", k);
-    demand_keys(list[k], field, {"name", "polygon"});
+    demand_keys(list[k], field, {"name", "polygon", "height"});
     if (!list[k]["name"]) fail(list[k], field + ".name", "is missing");
     if (!list[k]["polygon"]) fail(list[k], field + ".polygon", "is missing");
-    Obstacle obstacle{word(list[k]["name"], field + ".name"), polygon(list[k]["polygon"], field + ".polygon")};
+    Obstacle obstacle{word(list[k]["name"], field + ".name"), polygon(list[k]["polygon"], field + ".polygon"), {}};
+    if (const YAML::Node height = list[k]["height"]) {
+      obstacle.height = number(height, field + ".height", " in m");
+      if (!(*obstacle.height > 0.0)) fail(height, field + ".height", "must be above 0");
+    }
     if (obstacle.name.empty()) fail(list[k]["name"], field + ".name", "must not be empty");
     if (!names.insert(obstacle.name).second) fail(list[k]["name"], field + ".name", "'" + obstacle.name + "' is given twice");
     out.obstacles.push_back(std::move(obstacle));

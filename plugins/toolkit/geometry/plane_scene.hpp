@@ -5,8 +5,10 @@
 //   obstacles:
 //     - name: left post
 //       polygon: [[0.10, 0.20], [0.15, 0.20], [0.15, 0.30], [0.10, 0.30]]   # m, x and y of each vertex in order
+//       height: 0.02          # m, above the ground; left out: higher than any robot
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@ namespace foothold::geometry {
 struct Obstacle {
   std::string name;
   Polygon polygon;  // simple, counter-clockwise
+  std::optional<double> height;  // m, > 0; nothing: higher than any robot
 };
 
 struct PlaneScene {

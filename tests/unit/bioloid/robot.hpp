@@ -9,7 +9,7 @@
 namespace foothold::bioloid::testing {
 
 inline constexpr double kDegree = std::numbers::pi / 180;
-inline constexpr const char* kRobotFile = FOOTHOLD_CONFIG_DIR "/../tests/data/bioloid.yaml";
+inline constexpr const char* kRobotFile = FOOTHOLD_CONFIG_DIR "/robots/bioloid.yaml";
 
 inline const Model& shipped_model() {
   static const Model model = Model::from_model(load_robot_model(kRobotFile));
