@@ -20,10 +20,11 @@
 namespace foothold::bioloid {
 
 struct Demands {
-  double clearance = 0.002;  // m, between bodies that are not neighbours, to obstacles, and of all but feet to the ground
-  double balance = 0.010;    // m, of the projected centre of mass inside the support polygon
-  double ground = 2e-4;      // m, by which a sole that touches down may be lower than the ground
-  double slip = 2e-4;        // m and rad, by which the second sole of a double support may be off its place
+  double clearance =
+      0.002;               // m, between bodies that are not neighbours, to obstacles, and of all but feet and ankles to the ground
+  double balance = 0.010;  // m, of the projected centre of mass inside the support polygon
+  double ground = 2e-4;    // m, by which a sole that touches down may be lower than the ground
+  double slip = 2e-4;      // m and rad, by which the second sole of a double support may be off its place
 };
 
 // Who stands: `foot` fast at `at` (world); in double support the other sole at `second` (in the support sole's frame).

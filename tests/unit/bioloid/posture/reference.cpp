@@ -47,7 +47,7 @@ Figures figures(const Model& model, const Joints& joints, const Support& support
     const auto& [body, box] = bodies[i];
     for (std::size_t j = i + 1; j < bodies.size(); ++j)
       if (!model.neighbours(body, bodies[j].first)) out.self = std::min(out.self, collision::distance(box, bodies[j].second));
-    if (body <= leg_joint(Side::kLeft, 4) + 1) out.bodies = std::min(out.bodies, lowest(box));
+    if (body <= leg_joint(Side::kLeft, 3) + 1) out.bodies = std::min(out.bodies, lowest(box));
     for (const Prism& prism : prisms)
       out.obstacles = std::min(out.obstacles, collision::distance(Box{support.at * box.pose, box.half}, box_of(prism)));
   }

@@ -17,7 +17,7 @@ struct Figures {
   double self = 0.0;       // least distance of two bodies that are not neighbours
   double obstacles = 0.0;  // least distance of a body to a prism; infinity without
   double sole = 0.0;       // height of the swing sole's lowest corner
-  double bodies = 0.0;     // height of the lowest point of everything but the feet
+  double bodies = 0.0;     // height of the lowest point of everything but feet and ankle blocks
   double balance = 0.0;    // the centre of mass inside the support polygon
   double slip = 0.0;       // the greater of the second sole's errors in place and turn; 0 in single support
 };

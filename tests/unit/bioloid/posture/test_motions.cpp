@@ -25,9 +25,9 @@ double least_room(const Motion& m, const Demands& demands, int samples, const st
   return least;
 }
 
-// Far more than what is asked for. (Rolled ankle blocks are hardly ever 4 mm over the ground: less of that.)
+// Far more than what is asked for.
 Demands twice(Demands d) {
-  d.clearance *= 1.4;
+  d.clearance *= 2.0;
   d.balance *= 2.0;
   d.ground = -5e-4;
   d.slip *= 0.5;
