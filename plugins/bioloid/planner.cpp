@@ -72,7 +72,7 @@ PlanReport BioloidPlanner::plan(const Request& request, const Parameters& parame
     if (!context.emit(to_step(model_, feet, joints, step, ++number))) return stopped_report();
     feet = step.after;
   }
-  return walked_report(model_, found, from, options, time);
+  return walked_report(model_, found, from, options, gait.paper_figures(), time);
 }
 
 StepVerdict BioloidPlanner::check(const Step& step, const Posture& before, const Parameters& parameters,

@@ -21,7 +21,8 @@ struct Errors {
 
 }  // namespace
 
-PlanReport walked_report(const Model& model, const Walk& walk, const Stand& stand, const Options& options, double time) {
+PlanReport walked_report(const Model& model, const Walk& walk, const Stand& stand, const Options& options, const PaperFigures& paper,
+                         double time) {
   PlanReport report;
   report.outcome = PlanReport::Outcome::kReached;
   report.cost = static_cast<double>(walk.steps.size());
@@ -51,6 +52,11 @@ PlanReport walked_report(const Model& model, const Walk& walk, const Stand& stan
   add("footsteps expanded", static_cast<double>(walk.expanded), "1");
   add("routes tried", static_cast<double>(walk.routes), "1");
   add("search", time, "ms");
+  if (!options.gait.paper) return report;
+  add("trials", static_cast<double>(paper.trials), "1");
+  add("trials that reached", static_cast<double>(paper.reached), "1");
+  add("iterations", static_cast<double>(paper.iterations), "1");
+  add("movements", static_cast<double>(paper.movements), "1");
   return report;
 }
 
@@ -68,6 +74,13 @@ PlanReport failed_report(const Walk& walk, const Options& options) {
       break;
     case Walk::End::kNoStrides:
       report.error = PlanError::kSearchLimit;
+      if (options.gait.paper) {
+        text << "no trial of the method asked for found a way for a lifted foot in " << options.gait.paper->method.iterations
+             << " iterations (rows of footsteps tried: " << walk.routes - 1 << ")";
+        report.field = "parameters.method";
+        report.hint = "raise iterations or trials; method stochastic needs far fewer than random, optimal none";
+        break;
+      }
       text << "none of " << walk.routes - 1 << " rows of footsteps could be walked among the obstacles";
       report.hint = "give the robot more room, or lower clearance";
       break;

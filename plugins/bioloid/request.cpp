@@ -101,12 +101,27 @@ void demand_sound(Judge& judge, const Stand& stand, const char* field) {
   refuse_request(field, "the robot cannot stand there: ", words(fault));
 }
 
+// None: the method is optimal.
+std::optional<PaperOptions> read_paper(const Parameters& parameters) {
+  const std::string &method = parameters.text("method"), &choose = parameters.text("choose");
+  if (method == "optimal") return std::nullopt;
+  PaperOptions out;
+  out.method.method = method == "random" ? paper::Method::kRandom : paper::Method::kStochastic;
+  out.method.iterations = static_cast<std::size_t>(parameters.integer("iterations"));
+  out.trials = static_cast<std::size_t>(parameters.integer("trials"));
+  out.choice = choose == "error"      ? paper::Choice::kLeastError
+               : choose == "variance" ? paper::Choice::kLeastVariance
+                                      : paper::Choice::kFewestIterations;
+  return out;
+}
+
 }  // namespace
 
 Options read_options(const Parameters& parameters) {
   Options out;
-  const std::string& method = parameters.text("method");
-  out.method = method == "stochastic" ? Method::kStochastic : method == "random" ? Method::kRandom : Method::kOptimal;
+  out.gait.paper = read_paper(parameters);
+  // What the fully random method does not find for one row of footsteps in its iterations, it does not for others.
+  if (out.gait.paper && out.gait.paper->method.method == paper::Method::kRandom) out.walk.most_routes = 1;
   StepOptions& steps = out.walk.steps;
   steps.length = parameters.real("step_length");
   steps.back = parameters.real("step_back");

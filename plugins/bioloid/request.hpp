@@ -7,10 +7,7 @@
 
 namespace foothold::bioloid {
 
-enum class Method { kOptimal, kStochastic, kRandom };
-
 struct Options {
-  Method method = Method::kOptimal;
   GaitOptions gait;
   WalkOptions walk;
 };

@@ -9,6 +9,10 @@ inline constexpr ParameterSpec kParameters[] = {
     {"method", ParameterKind::kChoice, "", "optimal", 0, 0, "optimal|stochastic|random",
      "How single supports are found: optimal (key postures in closed form, lines certified, search where they fail), or the paper's "
      "stochastic or fully random algorithm"},
+    {"trials", ParameterKind::kInteger, "1", "1", 1, 1000, "", "Of the paper's methods: trials of each single support"},
+    {"choose", ParameterKind::kChoice, "", "iterations", 0, 0, "iterations|error|variance",
+     "Of the trials, the one with the fewest iterations, the least mean error or the least variance of the error"},
+    {"iterations", ParameterKind::kInteger, "1", "100000", 100, 10000000, "", "Of the paper's methods: at most, in one trial"},
     {"step_length", ParameterKind::kReal, "m", "0.05", 0.005, 0.08, "", "A foot goes so far ahead of the standing one, at most (paper: 50 mm)"},
     {"step_back", ParameterKind::kReal, "m", "0.03", 0.005, 0.06, "", "A foot goes so far behind the standing one, at most"},
     {"step_width", ParameterKind::kReal, "m", "0.03", 0.005, 0.06, "", "A foot goes so much farther out than side by side, at most"},

@@ -80,6 +80,10 @@ std::vector<Phase> Gait::make_carry(Side support, const PlanarPose& from, const 
   const Departure &begin = departure(support, from, lift), &end = departure(support, to, lift);
   if (!begin.sound() || !end.sound()) return {};
   const Support one = on_one(support);
+  if (options_.paper) {
+    auto way = paper_way(model_, judge_, one, begin.raised, end.raised, options_.pace, *options_.paper, paper_figures_, random, stop);
+    return way ? std::vector<Phase>{std::move(*way)} : std::vector<Phase>{};
+  }
   if (auto line = carry_line(one, begin.raised, end.raised)) return {std::move(*line)};
   std::vector<Phase> out = carry_beside(support, from, to, lift);
   if (!out.empty()) return out;

@@ -13,6 +13,7 @@
 #include <stop_token>
 
 #include "bioloid/gait/keys.hpp"
+#include "bioloid/gait/paper_way.hpp"
 #include "bioloid/gait/phase.hpp"
 #include "bioloid/gait/swing.hpp"
 
@@ -24,6 +25,7 @@ struct GaitOptions {
   Pace pace;
   Demands demands;
   SearchOptions search;
+  std::optional<PaperOptions> paper;  // the lifted sole's way by the paper's methods, instead of lines and search
 };
 
 // From standing midway to standing on one foot with the other lifted: shift and lift.
@@ -66,6 +68,7 @@ class Gait {
 
   const GaitOptions& options() const { return options_; }
   Judge& judge() { return judge_; }
+  const PaperFigures& paper_figures() const { return paper_figures_; }
 
  private:
   using Place = std::array<double, 5>;  // side, x, y, heading, lift
@@ -78,6 +81,7 @@ class Gait {
   const Model& model_;
   GaitOptions options_;
   Judge judge_;
+  PaperFigures paper_figures_;
   std::map<Place, Departure> departures_;
   std::map<Place, bool> placeable_;
   std::map<Way, std::vector<Phase>> carries_;
