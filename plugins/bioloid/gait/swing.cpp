@@ -111,7 +111,7 @@ std::vector<Free> connect(const Model& model, Judge& judge, const Support& suppo
     const double share = unit(random), spread = unit(random);
     for (Eigen::Index k = 0; k < 10; ++k) {
       const double wide = range.low[k] + unit(random) * (range.high[k] - range.low[k]);
-      sample[k] = a[k] + share * (b[k] - a[k]) + 0.5 * spread * spread * (wide - a[k] - share * (b[k] - a[k]));
+      sample[k] = a[k] + share * (b[k] - a[k]) + spread * (wide - a[k] - share * (b[k] - a[k]));
     }
     const int grown = extend(trees[side], sample);
     if (grown < 0) continue;

@@ -17,6 +17,14 @@ geometry::Polygon hull(const geometry::Polygon& a, const geometry::Polygon& b) {
   return out;
 }
 
+// True if no sole within `reach` of a place comes near the prism.
+bool far(const Prism& prism, const PlanarPose& sole, double reach) {
+  const geometry::Circle round = geometry::circle_round(prism.polygon);
+  return (round.centre - Eigen::Vector2d(sole.x, sole.y)).norm() > round.radius + reach;
+}
+
+double radius(const Model& model) { return 0.5 * std::hypot(model.sole_length, model.sole_width); }
+
 }  // namespace
 
 geometry::Polygon footprint(const Model& model, const PlanarPose& sole, double margin) {
@@ -32,17 +40,20 @@ geometry::Polygon footprint(const Model& model, const PlanarPose& sole, double m
 const Prism* stands_on(const Model& model, const PlanarPose& sole, std::span<const Prism> prisms, double clearance) {
   const geometry::Polygon print = footprint(model, sole, 0.0);
   for (const Prism& prism : prisms)
-    if (geometry::distance(print, prism.polygon) < clearance) return &prism;
+    if (!far(prism, sole, radius(model) + clearance) && geometry::distance(print, prism.polygon) < clearance) return &prism;
   return nullptr;
 }
 
 double highest_between(const Model& model, const PlanarPose& from, const PlanarPose& to, std::span<const Prism> prisms,
                        double clearance) {
-  if (prisms.empty()) return 0.0;
-  const geometry::Polygon swept = hull(footprint(model, from, 0.0), footprint(model, to, 0.0));
+  const double reach = radius(model) + clearance + distance(from, to);
   double height = 0.0;
-  for (const Prism& prism : prisms)
-    if (prism.height > height && geometry::distance(swept, prism.polygon) < clearance) height = prism.height;
+  geometry::Polygon swept;
+  for (const Prism& prism : prisms) {
+    if (prism.height <= height || far(prism, from, reach)) continue;
+    if (swept.empty()) swept = hull(footprint(model, from, 0.0), footprint(model, to, 0.0));
+    if (geometry::distance(swept, prism.polygon) < clearance) height = prism.height;
+  }
   return height;
 }
 

@@ -16,7 +16,11 @@ std::array<double, 7> ban_of(Side support, const PlanarPose& sole, const PlanarP
 }  // namespace
 
 Walker::Walker(const Model& model, Gait& gait, const WalkOptions& options, const std::vector<Prism>& prisms)
-    : model_(model), gait_(gait), options_(options), prisms_(prisms), among_(model, gait.options().demands, prisms) {}
+    : model_(model),
+      gait_(gait),
+      options_(options),
+      prisms_(prisms),
+      among_(model, gait.options().demands, prisms) {}
 
 double Walker::half_spacing() const { return 0.5 * std::abs(beside(model_, Side::kRight).y); }
 
@@ -43,16 +47,16 @@ std::string Walker::refusal(Side side, const PlanarPose& sole) {
 
 // The robot over this foot, the other lifted beside it.
 bool Walker::fits(Side foot, const PlanarPose& sole) {
-  if (prisms_.empty()) return true;
+  if (!near(prisms_, sole)) return true;
   const Departure& middle = gait_.departure(foot, beside(model_, foot), gait_.options().lift);
   if (!middle.sound()) return false;
   return among_.posture(middle.shift.points.back(), {.foot = foot, .at = to_world(sole), .both = true, .second = to_world(beside(model_, foot))}) !=
          Fault::kObstacle;
 }
 
-bool Walker::near_prisms(const PlanarPose& sole) const {
+bool Walker::near(const std::vector<Prism>& prisms, const PlanarPose& sole) {
   constexpr double kReach = 0.3;  // m: nothing of the robot is farther from its standing sole's centre
-  for (const Prism& prism : prisms_)
+  for (const Prism& prism : prisms)
     if (geometry::distance(prism.polygon, {sole.x, sole.y}) < kReach) return true;
   return false;
 }
@@ -78,11 +82,11 @@ bool Walker::passes(Side support, const PlanarPose& sole, const PlanarPose& plac
 }
 
 Walker::Hindrance Walker::judge(const Placing& placing) {
-  const bool near = near_prisms(placing.sole);
-  if (!near && judged_.empty()) return Hindrance::kNone;
+  const bool close = near(prisms_, placing.sole);
+  if (!close && judged_.empty()) return Hindrance::kNone;
   const auto key = ban_of(placing.support, placing.sole, placing.place);
   if (const auto known = judged_.find(key); known != judged_.end()) return known->second;
-  if (!near) return Hindrance::kNone;
+  if (!close) return Hindrance::kNone;
   return judged_[key] = look(placing);
 }
 
@@ -103,7 +107,7 @@ Walker::Hindrance Walker::look(const Placing& placing) {
 
 std::optional<Stride> Walker::stride(Side support, const PlanarPose& sole, const PlanarPose& from, const PlanarPose& to,
                                      std::mt19937_64& random, std::stop_token stop) {
-  if (!near_prisms(sole)) return gait_.stride(support, from, to, gait_.options().lift, random, stop);
+  if (!near(prisms_, sole)) return gait_.stride(support, from, to, gait_.options().lift, random, stop);
   const auto leaves = lift_for(support, sole, from), comes = lift_for(support, sole, to);
   if (!leaves || !comes) return std::nullopt;
   const double straight = highest_between(model_, sole * from, sole * to, prisms_, gait_.options().demands.clearance);

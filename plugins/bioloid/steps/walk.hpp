@@ -58,7 +58,7 @@ class Walker {
   Hindrance look(const Placing& placing);
   // Whether the robot fits among the obstacles with its feet so, its weight between them, over the standing one, and the other lifted.
   bool passes(Side support, const PlanarPose& sole, const PlanarPose& place, double lift);
-  bool near_prisms(const PlanarPose& sole) const;
+  static bool near(const std::vector<Prism>& prisms, const PlanarPose& sole);
   bool clear(const std::vector<Phase>& phases, const PlanarPose& sole);
   bool fits(Side foot, const PlanarPose& sole);
   std::optional<Stride> stride(Side support, const PlanarPose& sole, const PlanarPose& from, const PlanarPose& to,
