@@ -26,12 +26,10 @@ constexpr std::size_t kMostQuantities = 10000;
 
 constexpr std::uintmax_t kLongestText = 4 << 20;  // octets
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr Unit kUnits[] = {{"m", "m", 1.0},         {"cm", "m", 0.01},
-                           {"mm", "m", 0.001},      {"rad", "rad", 1.0},
-                           {"deg", "rad", kDegree}, {"kg", "kg", 1.0},
-                           {"g", "kg", 0.001},      {"s", "s", 1.0},
-                           {"ms", "s", 0.001},      {"N", "N", 1.0},
-                           {"Nm", "Nm", 1.0},       {"1", "1", 1.0},
+constexpr Unit kUnits[] = {{"m", "m", 1.0},     {"cm", "m", 0.01},       {"mm", "m", 0.001},
+                           {"rad", "rad", 1.0}, {"deg", "rad", kDegree}, {"kg", "kg", 1.0},
+                           {"g", "kg", 0.001},  {"s", "s", 1.0},         {"ms", "s", 0.001},
+                           {"N", "N", 1.0},     {"Nm", "Nm", 1.0},       {"1", "1", 1.0},
                            {"m/s", "m/s", 1.0}, {"rad/s", "rad/s", 1.0}, {"rpm", "rad/s", 2.0 * std::numbers::pi / 60.0}};
 
 // Of a string that may end here: then it is '\0'.
@@ -61,7 +59,8 @@ class ModelReader {
     if (!node.IsMap()) fail(node, path, "must be a map of quantities, or {value: ..., unit: ..., source: ...}");
     if (node["value"]) {
       if (!quantities_.emplace(path, leaf(node, path)).second) fail(node, path, "is given twice");
-      if (quantities_.size() > kMostQuantities) fail(node, path, "there are more than " + std::to_string(kMostQuantities) + " quantities");
+      if (quantities_.size() > kMostQuantities)
+        fail(node, path, "there are more than " + std::to_string(kMostQuantities) + " quantities");
       return;
     }
     for (const auto& entry : node) {

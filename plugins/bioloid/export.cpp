@@ -15,7 +15,8 @@ FOOTHOLD_EXPORT_PLANNER(
         .limbs = foothold::bioloid::kLimbs,
         .start_needs = "base: a point of the level ground between the feet, and the heading; or contacts: both soles; with joints, "
                        "base is the torso's pose",
-        .goal_needs = "base: a point of the ground to walk to, with a heading or any_orientation; or contacts: both soles side by side",
+        .goal_needs =
+            "base: a point of the ground to walk to, with a heading or any_orientation; or contacts: both soles side by side",
         .prepare_parameters = "",
         .parameters = foothold::bioloid::kParameters,
         .parameter_count = std::size(foothold::bioloid::kParameters)}))

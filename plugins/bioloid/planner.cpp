@@ -53,7 +53,8 @@ PlanReport BioloidPlanner::plan(const Request& request, const Parameters& parame
   if (!from.midway) {
     rise = gait.rise(from.joints, Side::kRight, rounded(relative(from.feet.right, from.feet.left)));
     if (!rise) {
-      PlanReport report = refused_goal("from the joints given the robot does not get to the posture in which it walks without leaving balance or limits");
+      PlanReport report = refused_goal(
+          "from the joints given the robot does not get to the posture in which it walks without leaving balance or limits");
       report.error = PlanError::kNoPath;
       report.field = "start.joints";
       report.hint = "start nearer to that posture: leave start.joints out to see it";
@@ -84,8 +85,6 @@ StepVerdict BioloidPlanner::check(const Step& step, const Posture& before, const
   return check_step(model_, ground_of(scene).prisms(), step, before, demands);
 }
 
-std::vector<Shape> BioloidPlanner::shapes(const Posture& posture) const {
-  return bioloid::shapes(model_, from_posture(posture));
-}
+std::vector<Shape> BioloidPlanner::shapes(const Posture& posture) const { return bioloid::shapes(model_, from_posture(posture)); }
 
 }  // namespace foothold::bioloid

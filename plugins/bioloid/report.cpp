@@ -21,8 +21,8 @@ struct Errors {
 
 }  // namespace
 
-PlanReport walked_report(const Model& model, const Walk& walk, const Stand& stand, const Options& options, const PaperFigures& paper,
-                         double time) {
+PlanReport walked_report(const Model& model, const Walk& walk, const Stand& stand, const Options& options,
+                         const PaperFigures& paper, double time) {
   PlanReport report;
   report.outcome = PlanReport::Outcome::kReached;
   report.cost = static_cast<double>(walk.steps.size());

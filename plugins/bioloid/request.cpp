@@ -51,7 +51,8 @@ double half_spacing(const Model& model) { return 0.5 * std::abs(beside(model, Si
 
 Joints read_joints(const Model& model, const std::vector<double>& given) {
   constexpr double kRounding = 1e-9;
-  if (given.size() != kJoints) refuse_request("start.joints", "must be ", kJoints, " values, are ", given.size(), ": ", kJointNames);
+  if (given.size() != kJoints)
+    refuse_request("start.joints", "must be ", kJoints, " values, are ", given.size(), ": ", kJointNames);
   Joints out;
   for (std::size_t k = 0; k < kJoints; ++k) {
     const kinematics::Interval& limits = model.joints[k].limits;
@@ -76,13 +77,14 @@ Stand as_joints_say(const Model& model, const Placement& start) {
     const Feet named = read_feet(start.contacts, "start");
     if (!start.base) {
       out.feet.right = named.right;
-      out.feet.left = planar(to_world(named.right) * right.inverse() * left, {"start.joints", "start.joints"}, "the left sole, by the joints,");
+      out.feet.left =
+          planar(to_world(named.right) * right.inverse() * left, {"start.joints", "start.joints"}, "the left sole, by the joints,");
     }
     for (const Side side : {Side::kRight, Side::kLeft}) {
       const PlanarPose off = relative(named.of(side), out.feet.of(side));
       if (std::hypot(off.x, off.y) > kOnGround || std::abs(wrapped(off.heading)) > kOnGround)
-        refuse_request("start.contacts", "the joints bring ", name_at(kLimbs, index_of(side)), " ", std::hypot(off.x, off.y), " m and ",
-                       std::abs(wrapped(off.heading)), " rad away from its contact");
+        refuse_request("start.contacts", "the joints bring ", name_at(kLimbs, index_of(side)), " ", std::hypot(off.x, off.y),
+                       " m and ", std::abs(wrapped(off.heading)), " rad away from its contact");
     }
   }
   return out;
@@ -129,7 +131,8 @@ Options read_options(const Parameters& parameters) {
   steps.turn = parameters.real("turn");
   steps.cell = parameters.real("cell");
   steps.proof_nodes = static_cast<std::size_t>(parameters.integer("proof_nodes"));
-  if (steps.length < steps.cell) refuse_request("parameters.step_length", "must be a cell at least, ", steps.cell, " m, is ", steps.length);
+  if (steps.length < steps.cell)
+    refuse_request("parameters.step_length", "must be a cell at least, ", steps.cell, " m, is ", steps.length);
   out.walk.step_over = parameters.real("step_over");
   out.gait.lift = parameters.real("lift");
   out.gait.height = parameters.real("height");
@@ -156,13 +159,16 @@ Stand read_start(const Model& model, const Options& options, const Ground& groun
     out.feet = read_feet(start.contacts, "start");
   } else {
     if (!start.base)
-      refuse_request("start.base", "is missing: the point of the ground between the feet, and the heading; or both soles as contacts");
+      refuse_request("start.base",
+                     "is missing: the point of the ground between the feet, and the heading; or both soles as contacts");
     field = "start.base";
     const PlanarPose base = planar(*start.base, fields_of(field), "the point between the feet");
     for (const Side side : {Side::kRight, Side::kLeft}) out.feet.of(side) = sole_at(side, base, half_spacing(model));
   }
   const auto posture = Gait(model, options.gait).midway(Side::kRight, rounded(relative(out.feet.right, out.feet.left)));
-  if (!posture) refuse_request(field, "the legs do not reach both soles with the hips ", options.gait.height, " m over the ankles (parameter height)");
+  if (!posture)
+    refuse_request(field, "the legs do not reach both soles with the hips ", options.gait.height,
+                   " m over the ankles (parameter height)");
   out.joints = posture->joints;
   demand_sound(judge, out, field);
   return out;
@@ -173,12 +179,14 @@ FootstepGoal read_goal(const Model& model, const Placement& goal) {
   if (!goal.contacts.empty()) {
     if (goal.base) refuse_request("goal.base", "is given beside goal.contacts; leave one of them out");
     const Feet feet = read_feet(goal.contacts, "goal");
-    const PlanarPose right = base_of(Side::kRight, feet.right, half_spacing(model)), left = base_of(Side::kLeft, feet.left, half_spacing(model));
+    const PlanarPose right = base_of(Side::kRight, feet.right, half_spacing(model)),
+                     left = base_of(Side::kLeft, feet.left, half_spacing(model));
     if (distance(right, left) > kOnGround || std::abs(wrapped(right.heading - left.heading)) > kOnGround)
       refuse_request("goal.contacts", "must be side by side, ", 2.0 * half_spacing(model), " m apart and parallel: so a walk ends");
     return {right, goal.any_orientation};
   }
-  if (!goal.base) refuse_request("goal.base", "is missing: the point of the ground to walk to, and the heading (or any_orientation)");
+  if (!goal.base)
+    refuse_request("goal.base", "is missing: the point of the ground to walk to, and the heading (or any_orientation)");
   if (goal.any_orientation) {
     const Vector3d at = goal.base->translation();
     if (std::abs(at.z()) > kOnGround) refuse_request("goal.base.position", "must lie on the ground, z = 0; z is ", at.z(), " m");

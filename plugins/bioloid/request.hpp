@@ -22,12 +22,12 @@ struct Stand {
   bool midway = true;  // the posture in which a walk begins; else it has to be taken first
 };
 
-// With joints: exactly as they say, with the torso at `start.base` or else standing on `start.contacts`. Without: midway between the
-// soles of `start.contacts`, or with its feet side by side at `start.base`, a point of the ground and a heading. Throws InvalidRequest:
-// nothing given, off the ground, out of reach, unbalanced.
+// With joints: exactly as they say, with the torso at `start.base` or else standing on `start.contacts`. Without: midway between
+// the soles of `start.contacts`, or with its feet side by side at `start.base`, a point of the ground and a heading. Throws
+// InvalidRequest: nothing given, off the ground, out of reach, unbalanced.
 Stand read_start(const Model& model, const Options& options, const Ground& ground, const Placement& start);
-// Where both feet shall stand side by side: `goal.base`, a point of the ground with a heading or any, or both `goal.contacts`. Throws
-// InvalidRequest.
+// Where both feet shall stand side by side: `goal.base`, a point of the ground with a heading or any, or both `goal.contacts`.
+// Throws InvalidRequest.
 FootstepGoal read_goal(const Model& model, const Placement& goal);
 
 }  // namespace foothold::bioloid

@@ -48,13 +48,20 @@ std::string label_of(const WalkStep& step, int number) {
 
 const char* words(Fault fault) {
   switch (fault) {
-    case Fault::kNone: return "nothing";
-    case Fault::kLimit: return "a joint would leave its limits, or a leg does not reach";
-    case Fault::kSelf: return "bodies would come nearer to each other than the clearance";
-    case Fault::kGround: return "a body or the moving sole would meet the ground";
-    case Fault::kObstacle: return "a body would come nearer to an obstacle than the clearance";
-    case Fault::kBalance: return "the centre of mass would come too near to the border of the soles that stand";
-    case Fault::kSlip: return "a standing sole would be moved";
+    case Fault::kNone:
+      return "nothing";
+    case Fault::kLimit:
+      return "a joint would leave its limits, or a leg does not reach";
+    case Fault::kSelf:
+      return "bodies would come nearer to each other than the clearance";
+    case Fault::kGround:
+      return "a body or the moving sole would meet the ground";
+    case Fault::kObstacle:
+      return "a body would come nearer to an obstacle than the clearance";
+    case Fault::kBalance:
+      return "the centre of mass would come too near to the border of the soles that stand";
+    case Fault::kSlip:
+      return "a standing sole would be moved";
   }
   return "";
 }

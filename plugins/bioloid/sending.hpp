@@ -14,7 +14,8 @@ const char* words(Fault fault);
 // From the posture given to the one in which a walk begins: no foot is placed.
 Step to_step(const Model& model, const Stand& from, const Phase& rise);
 
-// One foot is placed, the `number`th: shift, lift, carry, lower, settle. `joints`: how the robot stands before; they become those after.
+// One foot is placed, the `number`th: shift, lift, carry, lower, settle. `joints`: how the robot stands before; they become those
+// after.
 Step to_step(const Model& model, const Feet& before, Joints& joints, const WalkStep& step, int number);
 
 }  // namespace foothold::bioloid

@@ -50,7 +50,7 @@ class Daemon {
   std::vector<pid_t> workers() const;
   // SIGTERM. The exit code, or minus the signal that ended it; nothing if it does not end within `seconds` (it is killed then).
   std::optional<int> stop(double seconds = 5.0);
-  void kill();   // SIGKILL to the daemon alone, as a crash would
+  void kill();  // SIGKILL to the daemon alone, as a crash would
   // Other options from the next start on, or from the next SIGHUP: the files are written anew. The domain stays.
   void configure(DaemonOptions options);
   void hang_up();  // SIGHUP

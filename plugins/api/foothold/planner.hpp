@@ -28,8 +28,8 @@ struct Scene {
 class PreparedScene {
  public:
   virtual ~PreparedScene() = default;
-  // The scene's geometry, for drawing. What stands in the way needs a height: an obstacle of a plane scene is given with walls as high
-  // as the robot, or nothing of the robot is seen to cut it.
+  // The scene's geometry, for drawing. What stands in the way needs a height: an obstacle of a plane scene is given with walls as
+  // high as the robot, or nothing of the robot is seen to cut it.
   virtual std::vector<Shape> shapes() const { return {}; }
 };
 

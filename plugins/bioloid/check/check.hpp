@@ -24,8 +24,9 @@ struct CheckOptions {
 // (1e-9), its times grow from 0, and no servo is faster than `speed`. It is linear in the joints between its points, and the
 // following is proved all along these lines, by screws and bounds on their motion: the foot that moves stands within `slip` of its
 // old or new contact or is on its way, then its sole is above the ground (at the points) and never lower than -`ground`; bodies
-// keep `clearance` among themselves and from obstacles, none but feet and what stands on their plates reaches the ground; the centre of mass stays `balance`
-// inside the soles' hull. Distances are proved to 1e-5 m, all else to 1e-6. The other foot is what the robot is seen from.
+// keep `clearance` among themselves and from obstacles, none but feet and what stands on their plates reaches the ground; the
+// centre of mass stays `balance` inside the soles' hull. Distances are proved to 1e-5 m, all else to 1e-6. The other foot is what
+// the robot is seen from.
 //
 // Margins: clearance (m, looked for up to 0.1 m), balance (m), limits (rad), speed (share of the servos' speed left), slip (m and
 // rad: what is left of the tolerance; if a second sole stands), ground (m, of the moving foot's lowest corner) and lift (m, the

@@ -63,8 +63,8 @@ Surroundings::Surroundings(const Model& model, const Skeleton& skeleton, std::sp
   for (std::size_t body = 0; body < kBodies; ++body) {
     if (model.bodies[body].boxes.empty()) continue;
     for (std::size_t i = 0; i < obstacles_.size(); ++i) items_.push_back({Item::Kind::kObstacle, body, i});
-    // Feet meet the ground, and an ankle's block stands on its foot's plate, which lies between it and the ground; the foot that moves is
-    // judged by its sole.
+    // Feet meet the ground, and an ankle's block stands on its foot's plate, which lies between it and the ground; the foot that
+    // moves is judged by its sole.
     const auto of_foot = [&](Side side) { return body == leg_joint(side, 4) + 1 || body == leg_joint(side, 5) + 1; };
     if (!of_foot(standing) && !of_foot(other(standing))) items_.push_back({Item::Kind::kGround, body, 0});
   }

@@ -25,8 +25,9 @@ PlanarPose rounded(const PlanarPose& pose) {
 Gait::Gait(const Model& model, const GaitOptions& options) : model_(model), options_(options), judge_(model, options.demands) {}
 
 std::optional<KeyPosture> Gait::midway(Side support, const PlanarPose& swing) const {
-  return key_posture(model_, support,
-                     {.swing = swing, .heading = 0.5 * swing.heading, .height = options_.height, .balance = {0.5 * swing.x, 0.5 * swing.y}});
+  return key_posture(
+      model_, support,
+      {.swing = swing, .heading = 0.5 * swing.heading, .height = options_.height, .balance = {0.5 * swing.x, 0.5 * swing.y}});
 }
 
 const Departure& Gait::departure(Side support, const PlanarPose& swing, double lift) {
@@ -56,13 +57,14 @@ Departure Gait::make_departure(Side support, const PlanarPose& swing, double lif
 
   const Free low = to_free(model_, support, over->joints);
   out.raised = to_free(model_, support, raised->joints);
-  out.lift = make_phase("lift", model_, judge_, on_one(support), swing_line(model_, support, low, out.raised), options_.pace, kAtBegin);
+  out.lift =
+      make_phase("lift", model_, judge_, on_one(support), swing_line(model_, support, low, out.raised), options_.pace, kAtBegin);
   out.fault = out.lift.fault;
   return out;
 }
 
-const std::vector<Phase>& Gait::carry(Side support, const PlanarPose& from, const PlanarPose& to, double lift, std::mt19937_64& random,
-                                      std::stop_token stop) {
+const std::vector<Phase>& Gait::carry(Side support, const PlanarPose& from, const PlanarPose& to, double lift,
+                                      std::mt19937_64& random, std::stop_token stop) {
   const Way way{static_cast<double>(index_of(support)), from.x, from.y, from.heading, to.x, to.y, to.heading, lift};
   const auto [known, is_new] = carries_.try_emplace(way);
   if (is_new) known->second = make_carry(support, from, to, lift, random, stop);
@@ -75,13 +77,14 @@ std::optional<Phase> Gait::carry_line(const Support& support, const Free& a, con
   return phase;
 }
 
-std::vector<Phase> Gait::make_carry(Side support, const PlanarPose& from, const PlanarPose& to, double lift, std::mt19937_64& random,
-                                    std::stop_token stop) {
+std::vector<Phase> Gait::make_carry(Side support, const PlanarPose& from, const PlanarPose& to, double lift,
+                                    std::mt19937_64& random, std::stop_token stop) {
   const Departure &begin = departure(support, from, lift), &end = departure(support, to, lift);
   if (!begin.sound() || !end.sound()) return {};
   const Support one = on_one(support);
   if (options_.paper) {
-    auto way = paper_way(model_, judge_, one, begin.raised, end.raised, options_.pace, *options_.paper, paper_figures_, random, stop);
+    auto way =
+        paper_way(model_, judge_, one, begin.raised, end.raised, options_.pace, *options_.paper, paper_figures_, random, stop);
     return way ? std::vector<Phase>{std::move(*way)} : std::vector<Phase>{};
   }
   if (auto line = carry_line(one, begin.raised, end.raised)) return {std::move(*line)};
@@ -100,7 +103,8 @@ std::vector<Phase> Gait::carry_beside(Side support, const PlanarPose& from, cons
   const Departure &begin = departure(support, from, lift), &end = departure(support, to, lift);
   const Departure& middle = departure(support, beside(model_, support), lift);
   if (!begin.sound() || !end.sound() || !middle.sound()) return {};
-  auto there = carry_line(on_one(support), begin.raised, middle.raised), on = carry_line(on_one(support), middle.raised, end.raised);
+  auto there = carry_line(on_one(support), begin.raised, middle.raised),
+       on = carry_line(on_one(support), middle.raised, end.raised);
   if (!there || !on) return {};
   return {std::move(*there), std::move(*on)};
 }
@@ -146,7 +150,8 @@ std::optional<Phase> Gait::rise(const Joints& from, Side support, const PlanarPo
   };
   Phase phase = make_phase("rise", model_, judge_, both, line, options_.pace, 0);
   if (phase.sound()) return phase;
-  const Isometry3d begin = sole_in_torso(model_, support, from).inverse(), end = sole_in_torso(model_, support, to->joints).inverse();
+  const Isometry3d begin = sole_in_torso(model_, support, from).inverse(),
+                   end = sole_in_torso(model_, support, to->joints).inverse();
   const Eigen::Quaterniond first(begin.linear()), last(end.linear());
   const JointPath pelvis = [&](double s, Joints& joints) {
     joints = from + s * (to->joints - from);

@@ -1,4 +1,5 @@
-// Steps of a walk (paper, section II.D): shift the weight over one foot, lift the other, carry it, put it down, settle between both.
+// Steps of a walk (paper, section II.D): shift the weight over one foot, lift the other, carry it, put it down, settle between
+// both.
 //
 // A stride is seen from its supporting sole. Between strides the robot stands with its centre of mass midway between its soles. All
 // pieces are certified without obstacles and kept: a walk repeats them. `departure` reversed in time is the arrival at the same
@@ -38,7 +39,7 @@ struct Departure {
 
 struct Stride {
   Side support = Side::kRight;
-  PlanarPose from, to;        // of the swing sole, seen from the supporting one
+  PlanarPose from, to;  // of the swing sole, seen from the supporting one
   double lift = 0.0;
   std::vector<Phase> phases;  // shift, lift, carry (one or more), lower, settle
 };
@@ -50,13 +51,14 @@ class Gait {
   // Where the robot stands between strides.
   std::optional<KeyPosture> midway(Side support, const PlanarPose& swing) const;
   const Departure& departure(Side support, const PlanarPose& swing, double lift);
-  // The way of the lifted sole between two places: at once; else beside the supporting sole on the way; else by search. Empty if none.
+  // The way of the lifted sole between two places: at once; else beside the supporting sole on the way; else by search. Empty if
+  // none.
   const std::vector<Phase>& carry(Side support, const PlanarPose& from, const PlanarPose& to, double lift, std::mt19937_64& random,
                                   std::stop_token stop);
   // Always by way of beside the supporting sole, which is what `placeable` asks for. Empty if that fails.
   std::vector<Phase> carry_beside(Side support, const PlanarPose& from, const PlanarPose& to, double lift);
-  // Whether a sole can be put down at a place, and the weight brought over it from there, whatever came before: both departures, and
-  // the way to beside the supporting sole, at the lift.
+  // Whether a sole can be put down at a place, and the weight brought over it from there, whatever came before: both departures,
+  // and the way to beside the supporting sole, at the lift.
   bool placeable(Side support, const PlanarPose& swing, double lift);
   // With the pieces of `departure` before and after a way of the lifted sole. Empty if a piece fails.
   std::optional<Stride> stride(Side support, const PlanarPose& from, const PlanarPose& to, double lift, std::mt19937_64& random,

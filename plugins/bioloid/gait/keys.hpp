@@ -1,6 +1,6 @@
-// Key postures of a walk: both legs in closed form on the one walking branch, the pelvis level and placed so that the centre of mass
-// lies where it is wanted. Postures of one branch can be joined; those of random restarts cannot. Metres and radians, in the supporting
-// sole's frame. Any thread.
+// Key postures of a walk: both legs in closed form on the one walking branch, the pelvis level and placed so that the centre of
+// mass lies where it is wanted. Postures of one branch can be joined; those of random restarts cannot. Metres and radians, in the
+// supporting sole's frame. Any thread.
 #pragma once
 
 #include "bioloid/gait/planar.hpp"
@@ -24,7 +24,8 @@ struct KeyPosture {
 // Arms as in `model.carrying`. Empty if a leg does not reach; limits are the judge's business.
 std::optional<KeyPosture> key_posture(const Model& model, Side support, const Key& key);
 
-// Both legs for a given level pelvis, seen from the supporting sole. False if one does not reach. `pelvis_z`: of the torso's origin.
+// Both legs for a given level pelvis, seen from the supporting sole. False if one does not reach. `pelvis_z`: of the torso's
+// origin.
 bool stand(const Model& model, Side support, const PlanarPose& pelvis, double pelvis_z, const PlanarPose& swing, double lift,
            Joints& joints);
 

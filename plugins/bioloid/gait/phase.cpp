@@ -39,8 +39,8 @@ struct Sampler {
 
 }  // namespace
 
-Phase make_phase(const char* name, const Model& model, Judge& judge, const Support& support, const JointPath& path, const Pace& pace,
-                 unsigned ground) {
+Phase make_phase(const char* name, const Model& model, Judge& judge, const Support& support, const JointPath& path,
+                 const Pace& pace, unsigned ground) {
   Phase out;
   out.name = name;
   out.support = support;

@@ -1,5 +1,5 @@
-// Phases of a step: a path of the joints in one support, timed, sampled and certified line by line. What is certified is what is sent.
-// Radians, seconds; any thread, each with its own Judge.
+// Phases of a step: a path of the joints in one support, timed, sampled and certified line by line. What is certified is what is
+// sent. Radians, seconds; any thread, each with its own Judge.
 #pragma once
 
 #include <span>
@@ -21,10 +21,10 @@ struct Phase {
   bool sound() const { return fault == Fault::kNone; }
 };
 
-// Samples a path within `pace` and certifies it. Where a line between samples slips or cannot be shown to be sound, samples of the path
-// are put in between, down to 1/16 of a period. A path with a gap: kLimit. `ground`: as Judge::motion, for the path's ends.
-Phase make_phase(const char* name, const Model& model, Judge& judge, const Support& support, const JointPath& path, const Pace& pace,
-                 unsigned ground);
+// Samples a path within `pace` and certifies it. Where a line between samples slips or cannot be shown to be sound, samples of the
+// path are put in between, down to 1/16 of a period. A path with a gap: kLimit. `ground`: as Judge::motion, for the path's ends.
+Phase make_phase(const char* name, const Model& model, Judge& judge, const Support& support, const JointPath& path,
+                 const Pace& pace, unsigned ground);
 
 // Certified again in another place or by another judge (obstacles). Gives the first fault.
 Fault certify(Judge& judge, const Phase& phase, const Support& support);

@@ -74,7 +74,8 @@ JointPath swing_line(const Model& model, Side support, const Free& a, const Free
   return [&model, support, a, b](double s, Joints& joints) { return from_free(model, support, a + s * (b - a), joints); };
 }
 
-bool free_line(const Model& model, Judge& judge, const Support& support, const Free& a, const Free& b, unsigned ground, double grain) {
+bool free_line(const Model& model, Judge& judge, const Support& support, const Free& a, const Free& b, unsigned ground,
+               double grain) {
   const int pieces = std::max(1, static_cast<int>(std::ceil((b - a).cwiseAbs().maxCoeff() / grain)));
   Joints last, next;
   if (!from_free(model, support.foot, a, last)) return false;
@@ -117,7 +118,8 @@ std::vector<Free> connect(const Model& model, Judge& judge, const Support& suppo
     if (grown < 0) continue;
     const Free target = trees[side].nodes[static_cast<std::size_t>(grown)];
     int reached = extend(trees[side ^ 1], target);
-    while (reached >= 0 && trees[side ^ 1].nodes[static_cast<std::size_t>(reached)] != target) reached = extend(trees[side ^ 1], target);
+    while (reached >= 0 && trees[side ^ 1].nodes[static_cast<std::size_t>(reached)] != target)
+      reached = extend(trees[side ^ 1], target);
     if (reached < 0) continue;
     std::vector<Free> way = trees[0].way_to(side == 0 ? grown : reached);
     std::reverse(way.begin(), way.end());

@@ -16,8 +16,9 @@ geometry::Polygon footprint(const Model& model, const PlanarPose& sole, double m
 // The prism that a sole at `sole` would stand on or be nearer to than `clearance`; null if none.
 const Prism* stands_on(const Model& model, const PlanarPose& sole, std::span<const Prism> prisms, double clearance);
 
-// Height of the highest prism nearer than `clearance` to what a sole sweeps between two places (the convex hull of both footprints);
-// 0 if none.
-double highest_between(const Model& model, const PlanarPose& from, const PlanarPose& to, std::span<const Prism> prisms, double clearance);
+// Height of the highest prism nearer than `clearance` to what a sole sweeps between two places (the convex hull of both
+// footprints); 0 if none.
+double highest_between(const Model& model, const PlanarPose& from, const PlanarPose& to, std::span<const Prism> prisms,
+                       double clearance);
 
 }  // namespace foothold::bioloid

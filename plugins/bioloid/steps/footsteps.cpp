@@ -34,10 +34,10 @@ struct NodeHash {
 };
 
 struct Entry {
-  std::size_t steps = 0;  // so far
-  double total = 0.0;     // with the (weighted) bound of what remains
-  double left = 0.0;      // finer than the bound, among equals
-  std::int64_t from = -1;  // index of the closed node that it comes from
+  std::size_t steps = 0;     // so far
+  double total = 0.0;        // with the (weighted) bound of what remains
+  double left = 0.0;         // finer than the bound, among equals
+  std::int64_t from = -1;    // index of the closed node that it comes from
   std::int32_t stride = -1;  // between points of the lattice: which
   bool accepted = false;     // else it is judged when it is taken
   Node node;
@@ -63,7 +63,13 @@ class Search {
  public:
   Search(const Feet& start, const FootstepGoal& goal, double half, const StepOptions& options,
          const std::function<bool(Side, const PlanarPose&)>& reaches, const std::function<bool(const Placing&)>& accept)
-      : start_(start), goal_(goal), half_(half), options_(options), reaches_(reaches), accept_(accept), anchor_(base_of(Side::kRight, start.right, half)) {
+      : start_(start),
+        goal_(goal),
+        half_(half),
+        options_(options),
+        reaches_(reaches),
+        accept_(accept),
+        anchor_(base_of(Side::kRight, start.right, half)) {
     headings_ = static_cast<std::int32_t>(std::lround(2.0 * M_PI / options.heading));
     list_strides();
   }
@@ -110,8 +116,8 @@ class Search {
     return out;
   }
 
-  // How far a placement brings the base point along a line that lies `angle` from the standing foot's heading, at most, over all angles
-  // at least as large.
+  // How far a placement brings the base point along a line that lies `angle` from the standing foot's heading, at most, over all
+  // angles at least as large.
   double most_along(double angle) const {
     const double ahead = angle < 0.5 * M_PI ? options_.length * std::cos(angle) : 0.0;
     const double across = angle < 0.5 * M_PI ? options_.width * std::sin(angle) : options_.width;
@@ -163,7 +169,8 @@ class Search {
   // All that a step may do, by standing side and heading within a quarter turn.
   void list_strides() {
     const auto most = static_cast<std::int32_t>(std::floor(options_.turn / options_.heading + kSlack));
-    const auto far = static_cast<std::int32_t>(std::ceil(std::max({options_.length, options_.back, options_.width}) / options_.cell));
+    const auto far =
+        static_cast<std::int32_t>(std::ceil(std::max({options_.length, options_.back, options_.width}) / options_.cell));
     strides_.resize(2 * static_cast<std::size_t>(quarter()));
     for (const Side side : {Side::kRight, Side::kLeft})
       for (std::int32_t h = 0; h < quarter(); ++h) {
@@ -216,15 +223,16 @@ class Search {
       PlanarPose goal = goal_.base;
       if (goal_.any_heading) goal.heading = at.base.heading;
       if (within_step(support, relative(at.base, goal), options_))
-        push({Node::Kind::kGoal, moves, 0, 0, goal_.any_heading ? at.node.h + 1000 * static_cast<std::int32_t>(at.node.kind) : 0}, goal,
-             at.steps + 1, index);
+        push({Node::Kind::kGoal, moves, 0, 0, goal_.any_heading ? at.node.h + 1000 * static_cast<std::int32_t>(at.node.kind) : 0},
+             goal, at.steps + 1, index);
     }
     if (at.node.kind == Node::Kind::kLattice) {
       const std::vector<LatticeStride>& strides = strides_[of_heading(support, at.node.h)];
       for (std::size_t k = 0; k < strides.size(); ++k) {
         if (strides[k].known == LatticeStride::Known::kDoesNot) continue;
         const auto [i, j] = turned(strides[k].i, strides[k].j, at.node.h / quarter());
-        const Node node{Node::Kind::kLattice, moves, at.node.i + i, at.node.j + j, (at.node.h + strides[k].turn + headings_) % headings_};
+        const Node node{Node::Kind::kLattice, moves, at.node.i + i, at.node.j + j,
+                        (at.node.h + strides[k].turn + headings_) % headings_};
         push(node, pose_of(node.i, node.j, node.h), at.steps + 1, index, static_cast<std::int32_t>(k));
       }
       return;
@@ -288,16 +296,18 @@ PlanarPose sole_at(Side side, const PlanarPose& base, double half_spacing) {
 bool within_step(Side support, const PlanarPose& to, const StepOptions& options) {
   const double out = to_left(other(support)) * to.y;  // away from the standing foot
   if (std::abs(wrapped(to.heading)) > options.turn + kSlack || out < -options.cell - kSlack) return false;
-  const double along = to.x / (to.x >= 0.0 ? options.length : options.back), across = out / (out >= 0.0 ? options.width : options.cell);
+  const double along = to.x / (to.x >= 0.0 ? options.length : options.back),
+               across = out / (out >= 0.0 ? options.width : options.cell);
   return along * along + across * across <= 1.0 + 1e-7;
 }
 
 Footsteps find_footsteps(const Feet& start, const FootstepGoal& goal, double half_spacing, const StepOptions& options,
-                         const std::function<bool(Side, const PlanarPose&)>& reaches, const std::function<bool(const Placing&)>& accept,
-                         std::stop_token stop) {
+                         const std::function<bool(Side, const PlanarPose&)>& reaches,
+                         const std::function<bool(const Placing&)>& accept, std::stop_token stop) {
   constexpr double kWeight = 1.5;
   Search search(start, goal, half_spacing, options, reaches, accept);
-  if (search.at_goal(base_of(Side::kRight, start.right, half_spacing)) && search.at_goal(base_of(Side::kLeft, start.left, half_spacing)))
+  if (search.at_goal(base_of(Side::kRight, start.right, half_spacing)) &&
+      search.at_goal(base_of(Side::kLeft, start.left, half_spacing)))
     return {.end = Footsteps::End::kFound, .steps = {}};
   Footsteps found = search.run(kWeight, std::numeric_limits<std::size_t>::max(), options.most_nodes, stop);
   if (found.end != Footsteps::End::kFound) return found;

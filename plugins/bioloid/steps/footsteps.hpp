@@ -1,13 +1,13 @@
 // Footsteps over flat ground: the fewest placements of alternate feet from where the robot stands to where it shall stand.
 //
-// A foot's place is given by its base point: the sole's centre moved by half the hips' spacing towards the other foot, so that parallel
-// feet side by side share one base point. Base points lie on a lattice (cells and headings anchored in the first supporting foot);
-// start and goal lie where they are, exactly. A placement may move the base point, seen from the standing foot's, within half ellipses of
-// `length` and `width`, and turn it by multiples of the lattice's heading up to `turn`.
+// A foot's place is given by its base point: the sole's centre moved by half the hips' spacing towards the other foot, so that
+// parallel feet side by side share one base point. Base points lie on a lattice (cells and headings anchored in the first
+// supporting foot); start and goal lie where they are, exactly. A placement may move the base point, seen from the standing foot's,
+// within half ellipses of `length` and `width`, and turn it by multiples of the lattice's heading up to `turn`.
 //
-// Weighted A* finds a good route fast (Pohl, 1970), then A* proves it least among all on the lattice that `accept` lets through, or finds
-// a better one. Its bound lets every placement go as far towards the goal as the heading allows that the robot can have turned to by
-// then, and can still turn back from; one placement more closes the feet.
+// Weighted A* finds a good route fast (Pohl, 1970), then A* proves it least among all on the lattice that `accept` lets through, or
+// finds a better one. Its bound lets every placement go as far towards the goal as the heading allows that the robot can have
+// turned to by then, and can still turn back from; one placement more closes the feet.
 //
 // Metres and radians. Values; any thread.
 #pragma once
@@ -24,14 +24,14 @@
 namespace foothold::bioloid {
 
 struct StepOptions {
-  double length = 0.05;          // of the base point's way forward
-  double back = 0.03;            // and backward
-  double width = 0.03;           // and outward (inward: one cell)
-  double turn = M_PI / 12.0;     // of one placement
+  double length = 0.05;       // of the base point's way forward
+  double back = 0.03;         // and backward
+  double width = 0.03;        // and outward (inward: one cell)
+  double turn = M_PI / 12.0;  // of one placement
   double cell = 0.01;
-  double heading = M_PI / 12.0;  // of the lattice; divides a right angle
-  std::size_t most_nodes = 100000;   // of the first search
-  std::size_t proof_nodes = 5000;  // of the second; where it ends before the proof, the route says how far it got
+  double heading = M_PI / 12.0;     // of the lattice; divides a right angle
+  std::size_t most_nodes = 100000;  // of the first search
+  std::size_t proof_nodes = 5000;   // of the second; where it ends before the proof, the route says how far it got
 };
 
 // Both soles in the world.
@@ -66,11 +66,11 @@ struct Footsteps {
   std::size_t expanded = 0;  // nodes
 };
 
-// `half_spacing`: of the hips. `accept` is asked once for each placement that the search comes to, in any order; before that `reaches`,
-// which knows no place: the foot that stands and the other's place seen from it.
+// `half_spacing`: of the hips. `accept` is asked once for each placement that the search comes to, in any order; before that
+// `reaches`, which knows no place: the foot that stands and the other's place seen from it.
 Footsteps find_footsteps(const Feet& start, const FootstepGoal& goal, double half_spacing, const StepOptions& options,
-                         const std::function<bool(Side, const PlanarPose&)>& reaches, const std::function<bool(const Placing&)>& accept,
-                         std::stop_token stop = {});
+                         const std::function<bool(Side, const PlanarPose&)>& reaches,
+                         const std::function<bool(const Placing&)>& accept, std::stop_token stop = {});
 
 // Base point of a sole, and the sole at a base point.
 PlanarPose base_of(Side side, const PlanarPose& sole, double half_spacing);

@@ -16,11 +16,7 @@ std::array<double, 7> ban_of(Side support, const PlanarPose& sole, const PlanarP
 }  // namespace
 
 Walker::Walker(const Model& model, Gait& gait, const WalkOptions& options, const std::vector<Prism>& prisms)
-    : model_(model),
-      gait_(gait),
-      options_(options),
-      prisms_(prisms),
-      among_(model, gait.options().demands, prisms) {}
+    : model_(model), gait_(gait), options_(options), prisms_(prisms), among_(model, gait.options().demands, prisms) {}
 
 double Walker::half_spacing() const { return 0.5 * std::abs(beside(model_, Side::kRight).y); }
 
@@ -32,15 +28,16 @@ double Walker::lift_over(double height) const {
 
 // On the way between a place and beside the standing foot. Empty if something is too high.
 std::optional<double> Walker::lift_for(Side support, const PlanarPose& sole, const PlanarPose& place) const {
-  const double height = highest_between(model_, sole * beside(model_, support), sole * place, prisms_,
-                                        gait_.options().demands.clearance);
+  const double height =
+      highest_between(model_, sole * beside(model_, support), sole * place, prisms_, gait_.options().demands.clearance);
   if (height > options_.step_over) return std::nullopt;
   return lift_over(height);
 }
 
 std::string Walker::refusal(Side side, const PlanarPose& sole) {
   if (const Prism* prism = stands_on(model_, sole, prisms_, gait_.options().demands.clearance))
-    return "the foot would stand on or nearer than " + std::to_string(gait_.options().demands.clearance) + " m to obstacle '" + prism->name + "'";
+    return "the foot would stand on or nearer than " + std::to_string(gait_.options().demands.clearance) + " m to obstacle '" +
+           prism->name + "'";
   if (!fits(side, sole)) return "the robot's body meets an obstacle there";
   return "";
 }
@@ -50,7 +47,8 @@ bool Walker::fits(Side foot, const PlanarPose& sole) {
   if (!near(prisms_, sole)) return true;
   const Departure& middle = gait_.departure(foot, beside(model_, foot), gait_.options().lift);
   if (!middle.sound()) return false;
-  return among_.posture(middle.shift.points.back(), {.foot = foot, .at = to_world(sole), .both = true, .second = to_world(beside(model_, foot))}) !=
+  return among_.posture(middle.shift.points.back(),
+                        {.foot = foot, .at = to_world(sole), .both = true, .second = to_world(beside(model_, foot))}) !=
          Fault::kObstacle;
 }
 
@@ -102,7 +100,7 @@ Walker::Hindrance Walker::look(const Placing& placing) {
   const double lift = std::max(*there, *away);
   if (!gait_.placeable(placing.support, placing.place, lift)) return Hindrance::kReach;
   return passes(placing.support, placing.sole, placing.place, lift) && passes(moves, target, back, lift) ? Hindrance::kNone
-                                                                                                        : Hindrance::kBody;
+                                                                                                         : Hindrance::kBody;
 }
 
 std::optional<Stride> Walker::stride(Side support, const PlanarPose& sole, const PlanarPose& from, const PlanarPose& to,
@@ -140,7 +138,7 @@ Walk Walker::walk(const Feet& start, const FootstepGoal& goal, std::mt19937_64& 
     out.expanded += route.expanded;
     out.least = route.least;
     if (route.end != Footsteps::End::kFound) {
-      out.end = route.end == Footsteps::End::kStopped ? Walk::End::kStopped
+      out.end = route.end == Footsteps::End::kStopped   ? Walk::End::kStopped
                 : route.end == Footsteps::End::kTooMany ? Walk::End::kTooMany
                                                         : Walk::End::kNoFootsteps;
       constexpr const char* kWhat[] = {"", "a foot would stand on an obstacle", "an obstacle is too high to step over",

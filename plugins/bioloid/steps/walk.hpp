@@ -1,8 +1,9 @@
 // Walks: footsteps, and the certified strides that take them.
 //
-// Footsteps are found on the lattice; a placement counts if the sole has room there, the strides to it and away from it exist (gait/),
-// and the robot fits among the obstacles. The strides of the route are then certified where they are to be made; a placement whose
-// stride fails is taken out and the search begins again, so that what is proved least is a walk, not a row of footprints.
+// Footsteps are found on the lattice; a placement counts if the sole has room there, the strides to it and away from it exist
+// (gait/), and the robot fits among the obstacles. The strides of the route are then certified where they are to be made; a
+// placement whose stride fails is taken out and the search begins again, so that what is proved least is a walk, not a row of
+// footprints.
 //
 // Metres, radians, seconds. Used by one thread at a time.
 #pragma once
@@ -31,10 +32,10 @@ struct Walk {
   enum class End { kFound, kNoFootsteps, kTooMany, kNoStrides, kStopped };
   End end = End::kNoFootsteps;
   std::vector<WalkStep> steps;
-  std::size_t least = 0;      // placements, proved
-  std::size_t expanded = 0;   // nodes of all searches
-  int routes = 0;             // searched
-  std::string hindrance;      // what was in the way most of the time, if no way was found
+  std::size_t least = 0;     // placements, proved
+  std::size_t expanded = 0;  // nodes of all searches
+  int routes = 0;            // searched
+  std::string hindrance;     // what was in the way most of the time, if no way was found
 };
 
 class Walker {
@@ -56,7 +57,8 @@ class Walker {
   std::optional<double> lift_for(Side support, const PlanarPose& sole, const PlanarPose& place) const;
   Hindrance judge(const Placing& placing);
   Hindrance look(const Placing& placing);
-  // Whether the robot fits among the obstacles with its feet so, its weight between them, over the standing one, and the other lifted.
+  // Whether the robot fits among the obstacles with its feet so, its weight between them, over the standing one, and the other
+  // lifted.
   bool passes(Side support, const PlanarPose& sole, const PlanarPose& place, double lift);
   static bool near(const std::vector<Prism>& prisms, const PlanarPose& sole);
   bool clear(const std::vector<Phase>& phases, const PlanarPose& sole);
@@ -68,7 +70,7 @@ class Walker {
   Gait& gait_;
   WalkOptions options_;
   const std::vector<Prism>& prisms_;
-  Judge among_;  // the obstacles
+  Judge among_;                      // the obstacles
   std::map<Ban, Hindrance> judged_;  // placements near obstacles; those that failed as strides
   std::array<std::size_t, 5> hindrances_{};
 };

@@ -18,7 +18,7 @@ namespace foothold::geometry {
 
 struct Obstacle {
   std::string name;
-  Polygon polygon;  // simple, counter-clockwise
+  Polygon polygon;               // simple, counter-clockwise
   std::optional<double> height;  // m, > 0; nothing: higher than any robot
 };
 

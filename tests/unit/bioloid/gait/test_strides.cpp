@@ -25,7 +25,8 @@ Vector3d centre_over(Side support, const Joints& joints) {
 TEST(KeyPostures, PutTheCentreOfMassWhereItIsWanted) {
   for (const double heading : {0.0, 0.3, -0.3})
     for (const double x : {-0.04, 0.0, 0.05}) {
-      const Key key{.swing = ahead(x, 0.005, heading), .lift = 0.01, .heading = 0.5 * heading, .height = 0.12, .balance = {0.003, -0.002}};
+      const Key key{
+          .swing = ahead(x, 0.005, heading), .lift = 0.01, .heading = 0.5 * heading, .height = 0.12, .balance = {0.003, -0.002}};
       const auto posture = key_posture(model(), Side::kRight, key);
       ASSERT_TRUE(posture) << x << " " << heading;
       EXPECT_LT((centre_over(Side::kRight, posture->joints).head<2>() - key.balance).norm(), 1e-9);
@@ -121,8 +122,7 @@ TEST(Search, JoinsWhatCanBeJoined) {
   ASSERT_GE(way.size(), 2u);
   EXPECT_EQ(way.front(), a.raised);
   EXPECT_EQ(way.back(), b.raised);
-  for (std::size_t k = 1; k < way.size(); ++k)
-    EXPECT_TRUE(free_line(model(), gait.judge(), support, way[k - 1], way[k], 0)) << k;
+  for (std::size_t k = 1; k < way.size(); ++k) EXPECT_TRUE(free_line(model(), gait.judge(), support, way[k - 1], way[k], 0)) << k;
 }
 
 TEST(Rising, TakesTheWalkingPostureFromTheZeroPose) {

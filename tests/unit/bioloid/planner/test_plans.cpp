@@ -38,7 +38,8 @@ TEST(Plans, ArriveEverywhereOnAnOpenFloor) {
   const Parameters values = parameters({{"proof_nodes", "30000"}});
   for (int k = 0; k < 8; ++k) {
     Collector out;
-    const Request request = walk_request(on_floor(uniform(1), uniform(1), uniform(3.1)), on_floor(uniform(0.4), uniform(0.4), uniform(3.1)));
+    const Request request =
+        walk_request(on_floor(uniform(1), uniform(1), uniform(3.1)), on_floor(uniform(0.4), uniform(0.4), uniform(3.1)));
     const PlanReport report = judged_plan(planner, request, values, *floor, out);
     ASSERT_EQ(report.outcome, PlanReport::Outcome::kReached) << k << ": " << report.message;
     EXPECT_LT(from_goal(out.steps.back(), *request.goal.base), 1e-9) << k;

@@ -25,8 +25,8 @@ StepOptions coarse() {
   return out;
 }
 
-// Breadth first over the same lattice, written from the definition: poses by their cells, no bound, no order. The number of placements,
-// or nothing within `most`. Start and goal on the lattice.
+// Breadth first over the same lattice, written from the definition: poses by their cells, no bound, no order. The number of
+// placements, or nothing within `most`. Start and goal on the lattice.
 std::optional<int> by_breadth(const PlanarPose& goal, const StepOptions& options, int most,
                               const std::function<bool(const Placing&)>& accept) {
   using State = std::tuple<int, int, int, int>;  // side that stands, i, j, heading
@@ -107,8 +107,8 @@ TEST(Footsteps, EndExactlyOnAGoalOffTheLattice) {
 
 TEST(Footsteps, AlternateAndKeepWithinAStep) {
   const StepOptions options;
-  const Footsteps found =
-      find_footsteps(feet_at({0.3, 0.2, 1.0}), {{-0.1, 0.5, -2.0}, false}, kHalf, options, reach_all, [](const Placing&) { return true; });
+  const Footsteps found = find_footsteps(feet_at({0.3, 0.2, 1.0}), {{-0.1, 0.5, -2.0}, false}, kHalf, options, reach_all,
+                                         [](const Placing&) { return true; });
   ASSERT_EQ(found.end, Footsteps::End::kFound);
   Feet feet = feet_at({0.3, 0.2, 1.0});
   for (std::size_t k = 0; k < found.steps.size(); ++k) {
@@ -125,7 +125,8 @@ TEST(Footsteps, AlternateAndKeepWithinAStep) {
 }
 
 TEST(Footsteps, NeedNoneWhereTheRobotStandsAlready) {
-  const Footsteps found = find_footsteps(feet_at({0.1, 0.2, 0.3}), {{0.1, 0.2, 0.3}, false}, kHalf, {}, reach_all, [](const Placing&) { return false; });
+  const Footsteps found = find_footsteps(feet_at({0.1, 0.2, 0.3}), {{0.1, 0.2, 0.3}, false}, kHalf, {}, reach_all,
+                                         [](const Placing&) { return false; });
   EXPECT_EQ(found.end, Footsteps::End::kFound);
   EXPECT_TRUE(found.steps.empty());
 }

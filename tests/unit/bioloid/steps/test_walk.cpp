@@ -12,7 +12,8 @@ Prism box(const char* name, double x0, double x1, double y0, double y1, double h
 }
 
 struct Course {
-  explicit Course(std::vector<Prism> obstacles) : prisms(std::move(obstacles)), gait(shipped_model(), {}), walker(shipped_model(), gait, {}, prisms) {}
+  explicit Course(std::vector<Prism> obstacles)
+      : prisms(std::move(obstacles)), gait(shipped_model(), {}), walker(shipped_model(), gait, {}, prisms) {}
   Walk to(const PlanarPose& goal) {
     std::mt19937_64 random(1);
     Feet feet;
@@ -44,8 +45,8 @@ TEST(Walks, LiftTheFootOverATile) {
 }
 
 TEST(Walks, DoNotLeaveAPenWhoseWallsAreTooHigh) {
-  Course course({box("wall", 0.16, 0.17, -0.2, 0.2, 0.03), box("left", -0.2, 0.17, 0.19, 0.2, 0.03), box("right", -0.2, 0.17, -0.2, -0.19, 0.03),
-                 box("back", -0.21, -0.2, -0.2, 0.2, 0.03)});
+  Course course({box("wall", 0.16, 0.17, -0.2, 0.2, 0.03), box("left", -0.2, 0.17, 0.19, 0.2, 0.03),
+                 box("right", -0.2, 0.17, -0.2, -0.19, 0.03), box("back", -0.21, -0.2, -0.2, 0.2, 0.03)});
   const Walk walk = course.to({0.4, 0.0, 0.0});
   EXPECT_NE(walk.end, Walk::End::kFound);
 }
@@ -61,7 +62,8 @@ TEST(Walks, GoRoundABrick) {
 
 TEST(Walks, KeepTheBodyOffWhatIsTall) {
   // Between two pillars the feet would have room, the arms have not.
-  const std::vector<Prism> pillars{box("left pillar", 0.18, 0.24, 0.10, 0.16, 0.5), box("right pillar", 0.18, 0.24, -0.16, -0.10, 0.5)};
+  const std::vector<Prism> pillars{box("left pillar", 0.18, 0.24, 0.10, 0.16, 0.5),
+                                   box("right pillar", 0.18, 0.24, -0.16, -0.10, 0.5)};
   Course course(pillars);
   EXPECT_NE(course.walker.refusal(Side::kRight, sole_at(Side::kRight, {0.21, 0.0, 0.0}, course.walker.half_spacing())), "");
 }
