@@ -32,11 +32,17 @@ std::optional<KeyPosture> Gait::midway(Side support, const PlanarPose& swing) co
 
 const Departure& Gait::departure(Side support, const PlanarPose& swing, double lift) {
   const auto [known, is_new] = departures_.try_emplace(key_of(support, swing, lift));
-  if (is_new) known->second = make_departure(support, swing, lift);
+  if (is_new) known->second = make_departure(support, swing, lift, options_.pace);
   return known->second;
 }
 
-Departure Gait::make_departure(Side support, const PlanarPose& swing, double lift) {
+const Departure& Gait::rough_departure(Side support, const PlanarPose& swing, double lift) {
+  const auto [known, is_new] = rough_departures_.try_emplace(key_of(support, swing, lift));
+  if (is_new) known->second = make_departure(support, swing, lift, rough());
+  return known->second;
+}
+
+Departure Gait::make_departure(Side support, const PlanarPose& swing, double lift, const Pace& pace) {
   Departure out;
   out.fault = Fault::kLimit;
   Key key{.swing = swing, .heading = 0.5 * swing.heading, .height = options_.height};
@@ -51,14 +57,13 @@ Departure Gait::make_departure(Side support, const PlanarPose& swing, double lif
     const Eigen::Vector2d at = between->pelvis + s * (over->pelvis - between->pelvis);
     return stand(model_, support, {at.x(), at.y(), 0.5 * swing.heading}, z, swing, 0.0, joints);
   };
-  out.shift = make_phase("shift", model_, judge_, on_both(support, swing), shift, options_.pace, 0);
+  out.shift = make_phase("shift", model_, judge_, on_both(support, swing), shift, pace, 0);
   out.fault = out.shift.fault;
   if (!out.sound()) return out;
 
   const Free low = to_free(model_, support, over->joints);
   out.raised = to_free(model_, support, raised->joints);
-  out.lift =
-      make_phase("lift", model_, judge_, on_one(support), swing_line(model_, support, low, out.raised), options_.pace, kAtBegin);
+  out.lift = make_phase("lift", model_, judge_, on_one(support), swing_line(model_, support, low, out.raised), pace, kAtBegin);
   out.fault = out.lift.fault;
   return out;
 }
@@ -71,8 +76,8 @@ const std::vector<Phase>& Gait::carry(Side support, const PlanarPose& from, cons
   return known->second;
 }
 
-std::optional<Phase> Gait::carry_line(const Support& support, const Free& a, const Free& b) {
-  Phase phase = make_phase("carry", model_, judge_, support, swing_line(model_, support.foot, a, b), options_.pace, 0);
+std::optional<Phase> Gait::carry_line(const Support& support, const Free& a, const Free& b, const Pace& pace) {
+  Phase phase = make_phase("carry", model_, judge_, support, swing_line(model_, support.foot, a, b), pace, 0);
   if (!phase.sound()) return std::nullopt;
   return phase;
 }
@@ -87,12 +92,12 @@ std::vector<Phase> Gait::make_carry(Side support, const PlanarPose& from, const 
         paper_way(model_, judge_, one, begin.raised, end.raised, options_.pace, *options_.paper, paper_figures_, random, stop);
     return way ? std::vector<Phase>{std::move(*way)} : std::vector<Phase>{};
   }
-  if (auto line = carry_line(one, begin.raised, end.raised)) return {std::move(*line)};
+  if (auto line = carry_line(one, begin.raised, end.raised, options_.pace)) return {std::move(*line)};
   std::vector<Phase> out = carry_beside(support, from, to, lift);
   if (!out.empty()) return out;
   const std::vector<Free> way = connect(model_, judge_, one, begin.raised, end.raised, options_.search, random, stop);
   for (std::size_t k = 1; k < way.size(); ++k) {
-    auto line = carry_line(one, way[k - 1], way[k]);
+    auto line = carry_line(one, way[k - 1], way[k], options_.pace);
     if (!line) return {};
     out.push_back(std::move(*line));
   }
@@ -103,8 +108,8 @@ std::vector<Phase> Gait::carry_beside(Side support, const PlanarPose& from, cons
   const Departure &begin = departure(support, from, lift), &end = departure(support, to, lift);
   const Departure& middle = departure(support, beside(model_, support), lift);
   if (!begin.sound() || !end.sound() || !middle.sound()) return {};
-  auto there = carry_line(on_one(support), begin.raised, middle.raised),
-       on = carry_line(on_one(support), middle.raised, end.raised);
+  auto there = carry_line(on_one(support), begin.raised, middle.raised, options_.pace),
+       on = carry_line(on_one(support), middle.raised, end.raised, options_.pace);
   if (!there || !on) return {};
   return {std::move(*there), std::move(*on)};
 }
@@ -113,9 +118,9 @@ bool Gait::placeable(Side support, const PlanarPose& swing, double lift) {
   const auto [known, is_new] = placeable_.try_emplace(key_of(support, swing, lift));
   if (!is_new) return known->second;
   const auto reachable = [&](Side foot, const PlanarPose& place) {
-    const Departure& leaves = departure(foot, place, lift);
-    const Departure& middle = departure(foot, beside(model_, foot), lift);
-    return leaves.sound() && middle.sound() && carry_line(on_one(foot), leaves.raised, middle.raised).has_value();
+    const Departure& leaves = rough_departure(foot, place, lift);
+    const Departure& middle = rough_departure(foot, beside(model_, foot), lift);
+    return leaves.sound() && middle.sound() && carry_line(on_one(foot), leaves.raised, middle.raised, rough()).has_value();
   };
   known->second = reachable(support, swing) && reachable(other(support), rounded(inverse(swing)));
   return known->second;

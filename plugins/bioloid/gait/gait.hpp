@@ -51,6 +51,8 @@ class Gait {
   // Where the robot stands between strides.
   std::optional<KeyPosture> midway(Side support, const PlanarPose& swing) const;
   const Departure& departure(Side support, const PlanarPose& swing, double lift);
+  // The same with samples a few times as far apart, certified as well: to find out whether there is one.
+  const Departure& rough_departure(Side support, const PlanarPose& swing, double lift);
   // The way of the lifted sole between two places: at once; else beside the supporting sole on the way; else by search. Empty if
   // none.
   const std::vector<Phase>& carry(Side support, const PlanarPose& from, const PlanarPose& to, double lift, std::mt19937_64& random,
@@ -75,16 +77,17 @@ class Gait {
  private:
   using Place = std::array<double, 5>;  // side, x, y, heading, lift
   using Way = std::array<double, 8>;
-  Departure make_departure(Side support, const PlanarPose& swing, double lift);
+  Departure make_departure(Side support, const PlanarPose& swing, double lift, const Pace& pace);
+  Pace rough() const { return {options_.pace.share, 4.0 * options_.pace.period}; }
   std::vector<Phase> make_carry(Side support, const PlanarPose& from, const PlanarPose& to, double lift, std::mt19937_64& random,
                                 std::stop_token stop);
-  std::optional<Phase> carry_line(const Support& support, const Free& a, const Free& b);
+  std::optional<Phase> carry_line(const Support& support, const Free& a, const Free& b, const Pace& pace);
 
   const Model& model_;
   GaitOptions options_;
   Judge judge_;
   PaperFigures paper_figures_;
-  std::map<Place, Departure> departures_;
+  std::map<Place, Departure> departures_, rough_departures_;
   std::map<Place, bool> placeable_;
   std::map<Way, std::vector<Phase>> carries_;
 };

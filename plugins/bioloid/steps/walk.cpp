@@ -45,7 +45,7 @@ std::string Walker::refusal(Side side, const PlanarPose& sole) {
 // The robot over this foot, the other lifted beside it.
 bool Walker::fits(Side foot, const PlanarPose& sole) {
   if (!near(prisms_, sole)) return true;
-  const Departure& middle = gait_.departure(foot, beside(model_, foot), gait_.options().lift);
+  const Departure& middle = gait_.rough_departure(foot, beside(model_, foot), gait_.options().lift);
   if (!middle.sound()) return false;
   return among_.posture(middle.shift.points.back(),
                         {.foot = foot, .at = to_world(sole), .both = true, .second = to_world(beside(model_, foot))}) !=
@@ -70,7 +70,7 @@ bool Walker::clear(const std::vector<Phase>& phases, const PlanarPose& sole) {
 
 // At the postures between which a stride moves; the stride itself is certified when the route is known.
 bool Walker::passes(Side support, const PlanarPose& sole, const PlanarPose& place, double lift) {
-  const Departure& leaves = gait_.departure(support, place, lift);
+  const Departure& leaves = gait_.rough_departure(support, place, lift);
   if (!leaves.sound()) return false;
   Support both = leaves.shift.support, one = leaves.lift.support;
   both.at = one.at = to_world(sole);
