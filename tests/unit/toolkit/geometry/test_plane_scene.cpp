@@ -62,12 +62,20 @@ TEST(PlaneScene, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(refused("kind: plane\nobstacles: [{polygon: [[0, 0], [1, 0], [1, 1]]}]\n").field, "obstacles[0].name");
   EXPECT_EQ(refused("kind: plane\nobstacles: [{name: '', polygon: [[0, 0], [1, 0], [1, 1]]}]\n").field, "obstacles[0].name");
   EXPECT_EQ(refused("kind: plane\nobstacles: [{name: a}]\n").field, "obstacles[0].polygon");
-  EXPECT_EQ(refused("kind: plane\nobstacles: [{name: a, polygon: [[0, 0], [1, 0], [1, 1]], height: 2}]\n").field,
-            "obstacles[0].height");
+  EXPECT_EQ(refused("kind: plane\nobstacles: [{name: a, polygon: [[0, 0], [1, 0], [1, 1]], depth: 2}]\n").field,
+            "obstacles[0].depth");
   EXPECT_EQ(refused(with_polygon("[[0, 0], [1, 0], [1, 1]]\n  - {name: first, polygon: [[0, 0], [1, 0], [1, 1]]}")).field,
             "obstacles[2].name");
   EXPECT_EQ(refused("[]\n").field, "");
   EXPECT_EQ(refused("kind: [plane\n").field, "");
+}
+
+TEST(PlaneScene, TakesHeightsAboveTheGroundOnly) {
+  const std::string obstacle = "kind: plane\nobstacles: [{name: a, polygon: [[0, 0], [1, 0], [1, 1]]";
+  EXPECT_FALSE(parse_plane_scene(obstacle + "}]\n").obstacles[0].height);
+  EXPECT_EQ(parse_plane_scene(obstacle + ", height: 0.02}]\n").obstacles[0].height, 0.02);
+  for (const char* height : {"0", "-1", "high", ".inf"})
+    EXPECT_EQ(refused(obstacle + ", height: " + height + "}]\n").field, "obstacles[0].height") << height;
 }
 
 TEST(PlaneScene, NamesTheLine) {
