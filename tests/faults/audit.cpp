@@ -1,6 +1,8 @@
 // See audit.hpp.
 #include "audit.hpp"
 
+#include <algorithm>
+
 #include "foothold/msg/cdr.hpp"
 #include "journal/store.hpp"
 
@@ -44,13 +46,15 @@ class Auditor {
 
 }  // namespace
 
-Audit audit(const std::string& journal, const std::map<msg::Id, Outcome>& noted, const std::map<msg::Id, Final>& heard) {
+Audit audit(const std::string& journal, const std::map<msg::Id, Outcome>& noted, const std::map<msg::Id, Final>& heard,
+            Judge& judge, std::size_t most_judged) {
   Audit out;
   server::Store store(journal);
   Auditor auditor(store, out);
   for (const server::Record& record : store.unfinished()) auditor.complain(record.request.id(), "has no final state");
   std::vector<msg::Id> ids;
   store.visit_ids([&](const msg::Id& id) { ids.push_back(id); });
+  std::sort(ids.begin(), ids.end());
   std::map<msg::Id, Final> kept;
   for (const msg::Id& id : ids) {
     const auto record = store.find(id);
@@ -60,6 +64,11 @@ Audit audit(const std::string& journal, const std::map<msg::Id, Outcome>& noted,
     const Final end{event.state(), event.error().code(), event.steps()};
     kept.emplace(id, end);
     const std::string chain = auditor.look_at_steps(id, end.steps);
+    // Ids are random, and so is which plans come first.
+    if (out.judged < most_judged && end.steps > 0 && judge.knows(record->request.robot())) {
+      if (const auto refusal = judge.refusal(record->request, store.steps(id, 0))) auditor.complain(id, *refusal);
+      ++out.judged;
+    }
     if (const auto note = noted.find(id); note != noted.end()) {
       if (Final{note->second.state, note->second.code, note->second.steps} != end)
         auditor.complain(id, "its client was told of state " + std::to_string(note->second.state) + ", error " +

@@ -131,6 +131,8 @@ std::map<std::uint64_t, int> Storm::tally() const {
 
 std::string Storm::journal() const { return folder_ / "state/journal.db"; }
 
+std::string Storm::scenes() const { return folder_ / "state/scenes"; }
+
 std::string Storm::missing() const {
   std::string out;
   for (std::size_t number = 0; number < clients_.size(); ++number)

@@ -48,6 +48,7 @@ class Storm {
   std::map<std::uint64_t, int> tally() const;  // how often the planner `tally` was asked, by seed
   const Observer& observer() const { return *observer_; }
   std::string journal() const;
+  std::string scenes() const;  // folder of the stored ones
   std::string log() const { return daemon_->log(); }
   const std::map<Fault, int>& struck() const { return struck_; }
   bool disk_can_fill() const { return disk_.available(); }

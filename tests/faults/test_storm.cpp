@@ -95,15 +95,24 @@ void weather(StormOptions options) {
     EXPECT_TRUE(may_end_so(note)) << msg::to_hex(id) << ": a request of kind " << note.kind << " ended in state " << note.state
                                   << ", error " << note.code << ": " << note.reason;
   const auto tally = storm.tally();
-  for (const auto& [seed, times] : tally) EXPECT_EQ(times, 1) << "request " << seed << " was planned " << times << " times";
+  // A worker may begin before the receipt is stored. A server that is killed in between has not accepted the request: it comes again,
+  // and of the first plan nobody has heard (the observer complains of what is told twice).
+  int again = 0;
+  for (const auto& [seed, times] : tally) again += times - 1;
+  EXPECT_LE(again, 2 * options.faults.at(Fault::kServerKilled)) << "requests were planned twice";
+  std::cout << "begun again after a server was killed before it had stored their receipt: " << again << "\n";
   expect_none(storm.observer().complaints());
-  const Audit found = audit(storm.journal(), noted, storm.observer().final_states());
+  Judge judge(FOOTHOLD_PLUGINS, FOOTHOLD_CONFIG_DIR "/robots", storm.scenes());
+  const Audit found = audit(storm.journal(), noted, storm.observer().final_states(), judge, long_form() ? 1000 : 100);
   expect_none(found.complaints);
   std::printf(
-      "\njournal: %zu requests, %zu steps; heard on the network: %zu final states, %llu events, %llu steps; tally: %zu plans\n",
-      found.requests, found.steps, storm.observer().finals(), static_cast<unsigned long long>(storm.observer().events()),
-      static_cast<unsigned long long>(storm.observer().steps()), tally.size());
+      "\njournal: %zu requests, %zu steps, %zu plans judged once more; heard on the network: %zu final states, %llu events, %llu "
+      "steps; tally: %zu plans\n",
+      found.requests, found.steps, found.judged, storm.observer().finals(),
+      static_cast<unsigned long long>(storm.observer().events()), static_cast<unsigned long long>(storm.observer().steps()),
+      tally.size());
   EXPECT_GT(tally.size(), 0u);
+  EXPECT_GT(found.judged, 0u);
   if (testing::Test::HasFailure()) std::cerr << "---- log\n" << storm.log() << "----\n";
 }
 
