@@ -136,7 +136,8 @@ Walk Walker::walk(const Feet& start, const FootstepGoal& goal, std::mt19937_64& 
   for (out.routes = 1; out.routes <= options_.most_routes; ++out.routes) {
     const Footsteps route = find_footsteps(start, goal, half_spacing(), options_.steps, reaches, accept, stop);
     out.expanded += route.expanded;
-    out.least = route.least;
+    // Later searches leave out what failed as a stride after one placement, though it might do after another: they prove nothing.
+    if (out.routes == 1) out.least = route.least;
     if (route.end != Footsteps::End::kFound) {
       out.end = route.end == Footsteps::End::kStopped   ? Walk::End::kStopped
                 : route.end == Footsteps::End::kTooMany ? Walk::End::kTooMany
