@@ -7,6 +7,7 @@
 #include "foothold/client/nearest_name.hpp"
 #include "foothold/client/plan_file.hpp"
 #include "foothold/msg/errors.hpp"
+#include "foothold/msg/times.hpp"
 #include "journal/view.hpp"
 #include "past.hpp"
 #include "report.hpp"
@@ -19,15 +20,6 @@ constexpr char kUnfinished[] = "UNFINISHED";
 
 std::int64_t now() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
-std::string local_time(std::int64_t stamp) {
-  const std::time_t seconds = stamp / 1000000000;
-  std::tm parts{};
-  localtime_r(&seconds, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &parts);
-  return text;
 }
 
 std::string known_state(const std::string& state) {
@@ -47,7 +39,7 @@ std::vector<std::string> row(const server::Record& record) {
   const msg::PlanRequest& request = record.request;
   const msg::PlanEvent end = record.final_event.value_or(msg::PlanEvent{});
   const bool ran = !end.summary().plugin().empty();
-  return {local_time(record.received),
+  return {msg::local_text(record.received / 1'000'000'000),
           msg::to_hex(request.id()),
           printable(request.robot()),
           printable(request.unit()),
@@ -75,9 +67,9 @@ Exit show_one(const Common& common, const HistoryOptions& options) {
     return Exit::kSucceeded;
   }
   std::printf("%s  received %s\n  robot %s%s%s, client %s, budget %s, priority %d\n", msg::to_hex(request.id()).c_str(),
-              local_time(past.received).c_str(), printable(request.robot()).c_str(), request.unit().empty() ? "" : " of unit ",
-              printable(request.unit()).c_str(), msg::to_hex(request.client()).c_str(), duration(request.budget()).c_str(),
-              static_cast<int>(request.priority()));
+              msg::local_text(past.received / 1'000'000'000).c_str(), printable(request.robot()).c_str(),
+              request.unit().empty() ? "" : " of unit ", printable(request.unit()).c_str(), msg::to_hex(request.client()).c_str(),
+              duration(request.budget()).c_str(), static_cast<int>(request.priority()));
   if (end.state() == msg::UNKNOWN)
     std::printf("%s  %zu steps so far\n", kUnfinished, past.plan.steps.size());
   else

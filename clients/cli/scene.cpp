@@ -6,6 +6,7 @@
 
 #include "foothold/client/plan_file.hpp"
 #include "foothold/client/whole_file.hpp"
+#include "foothold/msg/times.hpp"
 #include "terminal.hpp"
 
 namespace foothold::cli {
@@ -25,15 +26,6 @@ std::string octets(std::uint64_t size) {
   if (size < 10'000) return std::to_string(size) + " B";
   return size < 10'000'000 ? format("%.1f kB", static_cast<double>(size) / 1e3)
                            : format("%.1f MB", static_cast<double>(size) / 1e6);
-}
-
-std::string time_of(std::int64_t stamp) {
-  const std::time_t seconds = stamp / 1'000'000'000;
-  std::tm local{};
-  localtime_r(&seconds, &local);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &local);
-  return text;
 }
 
 }  // namespace
@@ -76,8 +68,8 @@ Exit run_scene_list(const Common& common) {
   for (const msg::SceneStatus& scene : connection.client->scenes()) {
     if (connection.wanted != msg::kNoId && scene.server() != connection.wanted) continue;
     if (common.json) std::puts(client::to_json_line(scene).c_str());
-    rows.push_back({printable(scene.name()), printable(scene.format()), octets(scene.size()), time_of(scene.stamp()),
-                    printable(scene.revision())});
+    rows.push_back({printable(scene.name()), printable(scene.format()), octets(scene.size()),
+                    msg::local_text(scene.stamp() / 1'000'000'000), printable(scene.revision())});
   }
   if (common.json) return Exit::kSucceeded;
   if (rows.size() == 1)

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "foothold/msg/times.hpp"
 #include "foothold/security/authority.hpp"
 #include "terminal.hpp"
 
@@ -21,18 +22,11 @@ auto complaining(Work work) {
   }
 }
 
-std::string day(std::int64_t time) {
-  const std::time_t seconds = time;
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  char text[32] = {};
-  std::strftime(text, sizeof text, "%Y-%m-%d", &parts);
-  return text;
-}
+constexpr const char* kDay = "%Y-%m-%d";
 
 std::string standing(const Issued& issued) {
   if (issued.revoked) return "revoked";
-  return (issued.expires < std::time(nullptr) ? "over since " : "valid until ") + day(issued.expires);
+  return (issued.expires < std::time(nullptr) ? "over since " : "valid until ") + msg::utc_text(issued.expires, kDay);
 }
 
 }  // namespace
@@ -78,7 +72,7 @@ Exit run_security_list(const Common& common, const SecurityOptions& options) {
       std::puts(nlohmann::ordered_json{{"credentials",
                                         {{"name", issued.name},
                                          {"role", security::name_of(issued.role)},
-                                         {"expires", day(issued.expires)},
+                                         {"expires", msg::utc_text(issued.expires, kDay)},
                                          {"revoked", issued.revoked}}}}
                     .dump()
                     .c_str());

@@ -9,6 +9,7 @@
 
 #include "certificate.hpp"
 #include "files.hpp"
+#include "foothold/msg/times.hpp"
 #include "signing.hpp"
 
 namespace foothold::security {
@@ -22,14 +23,7 @@ struct RoleName {
 };
 constexpr RoleName kRoles[] = {{Role::kServer, "server"}, {Role::kClient, "client"}, {Role::kObserver, "observer"}};
 
-std::string day(std::int64_t time) {
-  const std::time_t seconds = time;
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  char text[32] = {};
-  std::strftime(text, sizeof text, "%Y-%m-%d", &parts);
-  return text;
-}
+constexpr const char* kDay = "%Y-%m-%d";
 
 // A key of the superuser's may be readable for a group: that is how systemd hands credentials to a service (as an ACL).
 void refuse_open_key(const std::string& path) {
@@ -42,10 +36,11 @@ void refuse_open_key(const std::string& path) {
 
 void refuse_wrong_time(X509* certificate, const std::string& path) {
   if (X509_cmp_current_time(X509_get0_notBefore(certificate)) > 0)
-    throw SecurityError(path + ": is not valid before " + day(unix_time(X509_get0_notBefore(certificate))) +
+    throw SecurityError(path + ": is not valid before " + msg::utc_text(unix_time(X509_get0_notBefore(certificate)), kDay) +
                         "; is this host's clock right?");
   if (X509_cmp_current_time(X509_get0_notAfter(certificate)) < 0)
-    throw SecurityError(path + ": is over since " + day(unix_time(X509_get0_notAfter(certificate))) + "; issue new credentials");
+    throw SecurityError(path + ": is over since " + msg::utc_text(unix_time(X509_get0_notAfter(certificate)), kDay) +
+                        "; issue new credentials");
 }
 
 }  // namespace

@@ -5,10 +5,13 @@
 #include <ctime>
 #include <vector>
 
+#include "foothold/msg/times.hpp"
 #include "foothold/transport/topics.hpp"
 
 namespace foothold::security {
 namespace {
+
+constexpr const char* kXmlTime = "%Y-%m-%dT%H:%M:%S";
 
 using transport::Topic;
 
@@ -51,15 +54,6 @@ std::string rules(const Grant& grant) {
   return rule("subscribe", kToEverybody, "") + rule("subscribe", kToOneClient, "*");
 }
 
-std::string date(std::int64_t time) {
-  const std::time_t seconds = time;
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  char text[32] = {};
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &parts);
-  return text;
-}
-
 }  // namespace
 
 std::string governance_document() {
@@ -89,9 +83,9 @@ std::string governance_document() {
 
 std::string permissions_document(const Grant& grant) {
   return head("permissions") + "  <permissions>\n    <grant name=\"" + grant.holder + "\">\n      <subject_name>" + grant.subject +
-         "</subject_name>\n      <validity><not_before>" + date(grant.begins) + "</not_before><not_after>" + date(grant.expires) +
-         "</not_after></validity>\n      <allow_rule>\n        " + kDomains + "\n" + rules(grant) +
-         "      </allow_rule>\n      <default>DENY</default>\n    </grant>\n  </permissions>\n</dds>\n";
+         "</subject_name>\n      <validity><not_before>" + msg::utc_text(grant.begins, kXmlTime) + "</not_before><not_after>" +
+         msg::utc_text(grant.expires, kXmlTime) + "</not_after></validity>\n      <allow_rule>\n        " + kDomains + "\n" +
+         rules(grant) + "      </allow_rule>\n      <default>DENY</default>\n    </grant>\n  </permissions>\n</dds>\n";
 }
 
 }  // namespace foothold::security

@@ -10,6 +10,7 @@
 
 #include "bundles/report.hpp"
 #include "foothold/msg/errors.hpp"
+#include "foothold/msg/times.hpp"
 #include "journal/view.hpp"
 #include "log/log.hpp"
 
@@ -21,14 +22,10 @@ namespace {
 constexpr std::uintmax_t kLeastFree = 64u << 20;  // octets
 
 std::string folder_name(const Incident& incident) {
-  const std::time_t seconds = incident.end.stamp() / 1000000000;
-  const auto milliseconds = static_cast<int>(incident.end.stamp() / 1000000 % 1000);
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  char text[48];
-  const std::size_t size = std::strftime(text, sizeof text, "%Y%m%dT%H%M%S", &parts);
-  std::snprintf(text + size, sizeof text - size, ".%03d-", milliseconds);
-  return text + msg::to_hex(incident.request.id());
+  const std::int64_t stamp = incident.end.stamp();
+  char milliseconds[8];
+  std::snprintf(milliseconds, sizeof milliseconds, ".%03d-", static_cast<int>(stamp / 1'000'000 % 1000));
+  return msg::utc_text(stamp / 1'000'000'000, "%Y%m%dT%H%M%S") + milliseconds + msg::to_hex(incident.request.id());
 }
 
 // Request, scene, steps and end; the steps as the journal holds them, if it can be read.

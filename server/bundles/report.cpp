@@ -6,21 +6,13 @@
 #include <ctime>
 
 #include "foothold/msg/errors.hpp"
+#include "foothold/msg/times.hpp"
 
 namespace foothold::server {
 namespace {
 
 constexpr std::string_view kLastWords = "its last words: ";  // as Worker puts them into its error
 constexpr std::string_view kBetween = " | ";
-
-std::string utc(Stamp stamp) {
-  const std::time_t seconds = stamp / 1000000000;
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
-}
 
 std::string host() {
   utsname name{};
@@ -61,7 +53,7 @@ std::string report_of(const Incident& incident) {
     if (!value.empty()) text += std::string(name) + ": " + value + "\n";
   };
   line("why", incident.why);
-  line("when", utc(end.stamp()));
+  line("when", msg::utc_text(end.stamp() / 1'000'000'000, "%Y-%m-%dT%H:%M:%SZ"));
   line("request", msg::to_hex(request.id()));
   line("client", msg::to_hex(request.client()));
   line("robot", request.robot());

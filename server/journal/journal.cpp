@@ -1,20 +1,12 @@
 // The journal on disk.
 #include "journal/journal.hpp"
 
+#include "journal/reads.hpp"
+
 namespace foothold::server {
 namespace {
 
 constexpr std::size_t kMostRecent = 256u << 20;  // octets that may wait for the database
-
-// Runs a read of the database and turns its errors into the journal's.
-template <class Work>
-auto reading(Work&& work) -> decltype(work()) {
-  try {
-    return work();
-  } catch (const sqlite::Error& error) {
-    throw JournalError(error.what());
-  }
-}
 
 template <class Message>
 Message decoded(const Entry& entry) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "journal/log.hpp"
+#include "journal/reads.hpp"
 #include "journal/store.hpp"
 
 namespace foothold::server {
@@ -23,15 +24,6 @@ Message decoded(std::span<const std::byte> bytes) {
   auto message = msg::decode<Message>(bytes);
   if (!message) throw JournalError("an entry of the journal cannot be read: it is damaged, or of another version of foothold");
   return std::move(*message);
-}
-
-template <class Work>
-auto reading(Work&& work) -> decltype(work()) {
-  try {
-    return work();
-  } catch (const sqlite::Error& error) {
-    throw JournalError(error.what());
-  }
 }
 
 Record row_of(const sqlite::Statement& row) {

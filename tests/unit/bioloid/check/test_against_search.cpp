@@ -16,6 +16,16 @@ using testing::shipped_model;
 
 struct Tally {
   int certified = 0, both_refuse = 0, only_check_accepts = 0;
+
+  // What the search certifies the check has to accept.
+  void count(bool by_search, const StepVerdict& by_check) {
+    if (by_search) {
+      EXPECT_TRUE(by_check.accepted) << by_check.reason;
+      ++certified;
+    } else {
+      ++(by_check.accepted ? only_check_accepts : both_refuse);
+    }
+  }
 };
 
 std::optional<Coordinates> standing_on(const Isometry3d& left, const Eigen::Vector2d& centre) {
@@ -59,12 +69,7 @@ TEST(BioloidCheckAgainstSearch, SingleSupport) {
                      torso_b = sole_in_torso(model, Side::kRight, b).inverse();
     const bool certified = judge.motion(a, b, Support{}) == Fault::kNone;
     const StepVerdict verdict = checked(a, b, {{"right_foot", Isometry3d::Identity(), ""}}, torso_a, torso_b, prisms);
-    if (certified) {
-      EXPECT_TRUE(verdict.accepted) << verdict.reason;
-      ++tally.certified;
-    } else {
-      ++(verdict.accepted ? tally.only_check_accepts : tally.both_refuse);
-    }
+    tally.count(certified, verdict);
   }
   RecordProperty("certified", tally.certified);
   RecordProperty("both_refuse", tally.both_refuse);
@@ -95,12 +100,7 @@ TEST(BioloidCheckAgainstSearch, DoubleSupport) {
     const bool certified = judge.motion(a, b, support) == Fault::kNone;
     const StepVerdict verdict =
         checked(a, b, {{"right_foot", Isometry3d::Identity(), ""}, {"left_foot", second, ""}}, from->pelvis, to->pelvis, {});
-    if (certified) {
-      EXPECT_TRUE(verdict.accepted) << verdict.reason;
-      ++tally.certified;
-    } else {
-      ++(verdict.accepted ? tally.only_check_accepts : tally.both_refuse);
-    }
+    tally.count(certified, verdict);
   }
   RecordProperty("certified", tally.certified);
   RecordProperty("both_refuse", tally.both_refuse);
