@@ -1,11 +1,11 @@
-// A server with many clients: bench_service [--quick] [--soak SECONDS].
+// A server with many clients: bench_service [--quick] [--soak SECONDS] [--vendor cyclone|fastdds] [--part clients|queue|soak].
 //
 //   clients       1 to 50 clients of both vendors, each with one plan of five steps under way: throughput, p50, p99, memory
 //   queue         requests that wait for another robot's worker, 0 to 10,000, beside five clients: the same
 //   soak          20 clients at a steady pace (default 30 minutes): resident memory of the server and its workers, by time
-// Each is asked of a server of either vendor. Memory is resident, in MiB. In the soak the journal keeps ends for a minute, so that
-// what it holds does not grow for seven days; memory is flat if the second half's mean is within 2 % of the first half's, both
-// behind a warm-up of a fifth of the time; that is a goal of soaks of ten minutes and more.
+// Each is asked of a server of either vendor, unless one part or one vendor is named. Memory is resident, in MiB. In the soak the
+// journal keeps ends for a minute, so that what it holds does not grow for seven days; memory is flat if the second half's mean is
+// within 2 % of the first half's, both behind a warm-up of a fifth of the time; that is a goal of soaks of ten minutes and more.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -25,11 +25,11 @@ using namespace foothold::bench;
 struct Size {
   std::vector<std::uint32_t> clients, queues;
   double spell;  // s, of each measurement
-  double soak;   // s
+  double soak;   // s, of each vendor
 };
 
 const Size kFull{{1, 2, 5, 10, 20, 35, 50}, {0, 100, 1000, 10000}, 4.0, 1800.0};
-const Size kQuick{{1, 5, 20}, {0, 1000}, 0.7, 5.0};
+const Size kQuick{{1, 5, 20}, {0, 1000}, 0.7, 2.5};
 
 constexpr double kFlat = 2.0;      // %
 constexpr double kJudged = 600.0;  // s: histories and caches fill before
@@ -139,10 +139,19 @@ void soak(const std::string& vendor, std::uint32_t domain, double seconds, std::
   figures.push_back({vendor + "_soak_workers_growth", growth(of_workers), "%", "less", goal, {}, {}});
 }
 
-double soak_seconds(int count, char** words, double otherwise) {
+// The word behind `option`; nothing if it is not there.
+std::optional<std::string> word_of(const char* option, int count, char** words) {
   for (int i = 1; i + 1 < count; ++i)
-    if (std::strcmp(words[i], "--soak") == 0) return std::stod(words[i + 1]);
-  return otherwise;
+    if (std::strcmp(words[i], option) == 0) return words[i + 1];
+  return std::nullopt;
+}
+
+// A choice that is not made is for all.
+std::vector<std::string> chosen(const char* option, const std::vector<std::string>& all, int count, char** words) {
+  const auto word = word_of(option, count, words);
+  if (!word) return all;
+  if (std::ranges::find(all, *word) == all.end()) throw std::runtime_error(std::string(option) + ": '" + *word + "' is not known");
+  return {*word};
 }
 
 }  // namespace
@@ -151,15 +160,19 @@ int main(int count, char** words) {
   try {
     if (count > 1 && std::strcmp(words[1], "--client") == 0) return client_main(count, words);
     const Size& size = quick(count, words) ? kQuick : kFull;
-    const double soaking = soak_seconds(count, words, size.soak);
+    const auto soaking = word_of("--soak", count, words);
+    const auto vendors = chosen("--vendor", {"cyclone", "fastdds"}, count, words);
     std::vector<Figure> figures;
     std::uint32_t domain = 120;
-    print_head("clients");
-    for (const char* vendor : {"cyclone", "fastdds"}) measure_clients(vendor, ++domain, size, figures);
-    print_head("queue");
-    for (const char* vendor : {"cyclone", "fastdds"}) measure_queues(vendor, ++domain, size, figures);
-    print_head("soak");
-    for (const char* vendor : {"cyclone", "fastdds"}) soak(vendor, ++domain, soaking / 2, figures);
+    for (const std::string& part : chosen("--part", {"clients", "queue", "soak"}, count, words)) {
+      print_head(part.c_str());
+      for (const std::string& vendor : vendors) {
+        ++domain;
+        if (part == "clients") measure_clients(vendor, domain, size, figures);
+        if (part == "queue") measure_queues(vendor, domain, size, figures);
+        if (part == "soak") soak(vendor, domain, soaking ? std::stod(*soaking) : size.soak, figures);
+      }
+    }
     report("service", figures);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_service: %s\n", error.what());

@@ -111,7 +111,7 @@ Participant::Participant(const BusOptions& options) {
   dds::DomainParticipantQos qos = options.network_config.empty() ? loopback_qos() : profile_qos(options.network_config);
   if (!options.security.empty()) secure(qos, options.security);
   const LoopbackGuard guard(options.domain);
-  participant_ = factory.create_participant(options.domain, qos);
+  participant_ = factory.create_participant(options.domain, qos, &departures_, dds::StatusMask::none());
   if (participant_ == nullptr) {
     throw BusError("cannot make a participant of Fast DDS in domain " + std::to_string(options.domain) +
                    " (is the network configuration sound? its log on stderr may say more)");

@@ -4,6 +4,7 @@
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 
 #include "../loopback_guard.hpp"
+#include "departures.hpp"
 #include "foothold/transport/bus.hpp"
 
 namespace foothold::transport::fastdds {
@@ -21,6 +22,7 @@ class Participant {
  private:
   void confine(const LoopbackGuard& guard);
 
+  Departures departures_;
   eprosima::fastdds::dds::DomainParticipant* participant_;
 };
 
