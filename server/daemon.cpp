@@ -170,6 +170,7 @@ void Daemon::end_batch() {
   waiting_since_.reset();
   if (!jobs_) return;
   jobs_->settle();
+  if (jobs_->repeating()) retry_soon();
   arm_timer();
   if (stopping_) stop_when_idle();
 }
@@ -197,7 +198,9 @@ void Daemon::retry_soon() {
   retry_timer_.async_wait([this](const boost::system::error_code& error) {
     if (error) return;
     retrying_ = false;
-    if (!partitions_->retry()) retry_soon();
+    const bool through = partitions_->retry();
+    jobs_->repeat();
+    if (!through || jobs_->repeating()) retry_soon();
     if (stopping_) stop_when_idle();
   });
 }

@@ -48,6 +48,7 @@ class Client::Impl {
 
   // On the keeper's thread.
   void keep();
+  void begin_anew(Clock::time_point now);
   void look_at_servers(Clock::time_point now);
   void tell_returned(const msg::Id& server, const std::vector<std::shared_ptr<PlanState>>& plans);
   void say_farewells();

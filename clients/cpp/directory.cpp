@@ -66,6 +66,12 @@ bool Directory::mark_silent(Clock::time_point now, double silence, std::size_t w
   return any;
 }
 
+void Directory::forgive_silence(Clock::time_point now) {
+  const std::lock_guard lock(mutex_);
+  for (auto& [id, seen] : servers_)
+    if (seen.server.alive) seen.beat = now;
+}
+
 void Directory::set_open(bool open) {
   const std::lock_guard lock(mutex_);
   if (open_ == open) return;

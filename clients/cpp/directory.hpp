@@ -27,6 +27,8 @@ class Directory {
   // Marks servers that were alive and have not been heard for `silence`, or half of it if the vendor counts only `writers_alive`
   // of them; all if it counts none. True if there was one.
   bool mark_silent(Clock::time_point now, double silence, std::size_t writers_alive);
+  // This process was halted: it cannot know who was silent meanwhile.
+  void forgive_silence(Clock::time_point now);
   // Both ways to the servers are open.
   void set_open(bool open);
 

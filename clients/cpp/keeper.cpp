@@ -12,6 +12,7 @@ constexpr auto kConnecting = milliseconds(5);  // while the ways to the servers 
 constexpr auto kBusy = milliseconds(25);       // while a plan is open
 constexpr auto kIdle = milliseconds(100);
 constexpr auto kHelloAgain = milliseconds(200);
+constexpr auto kHalted = milliseconds(500);  // later than it meant to go on: the process, or its machine, stood still
 
 PlanState::Clock::duration from_seconds(double seconds) {
   return std::chrono::duration_cast<PlanState::Clock::duration>(std::chrono::duration<double>(seconds));
@@ -29,10 +30,12 @@ void Client::Impl::wake_keeper() {
 
 void Client::Impl::keep() {
   std::unique_lock lock(keeper_mutex_);
+  auto meant = Clock::now();
   while (!stop_) {
     wake_ = false;
     lock.unlock();
     const auto now = Clock::now();
+    if (now - meant > kHalted) begin_anew(now);
     const bool sent = outgoing->flush();
     try {
       look_at_servers(now);
@@ -49,8 +52,16 @@ void Client::Impl::keep() {
     }
     if (!open_ || !sent) pause = std::min<Clock::duration>(pause, kConnecting);
     lock.lock();
+    meant = Clock::now() + pause;
     keeper_work_.wait_for(lock, pause, [this] { return wake_ || stop_; });
   }
+}
+
+// What has come meanwhile is still on its way through the vendor's threads: nobody is silent, and nothing missing, before that.
+void Client::Impl::begin_anew(Clock::time_point now) {
+  directory.forgive_silence(now);
+  const std::lock_guard lock(plans_mutex_);
+  for (const auto& [id, plan] : plans_) plan->wait_for_news(now);
 }
 
 void Client::Impl::look_at_servers(Clock::time_point now) {

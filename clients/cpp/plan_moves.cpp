@@ -124,7 +124,7 @@ bool PlanState::move(const msg::Id& server, Time now) {
     refusal_.reset();
     final_.reset();  // of steps that never came
     state_ = msg::UNKNOWN;
-    sent_ = heard_ = word_ = false;
+    sent_ = heard_ = word_ = asked_ = false;
     announced_ = 0;
     not_known_ = 0;
     not_known_to_.clear();

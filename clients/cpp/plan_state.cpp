@@ -77,6 +77,7 @@ bool PlanState::accept(const msg::PlanEvent& event, std::span<const msg::Id> ali
     const std::lock_guard lock(mutex_);
     if (has_ended() || refusal_ || is_of_another(event.server())) return false;
     if (std::exchange(lost_, false)) untold_.push_back({std::nullopt, false});  // who answers is not lost
+    if (event.answer()) asked_ = false;
     if (event.state() == msg::UNKNOWN) {
       accept_unknown(event, alive, now);
       if (!final_) return false;
@@ -142,6 +143,7 @@ bool PlanState::set_server_lost(bool lost, Time now) {
 
 void PlanState::progress(Time now) {
   heard_ = true;
+  asked_ = false;
   patience_ = repair_after_;
   next_due_ = now + from_seconds(patience_);
 }
@@ -176,11 +178,18 @@ PlanState::Due PlanState::due(Time now) {
     ++traffic_.requests;
     return Due::kSend;
   }
-  // What is known to be missing is asked for steadily, and so is the end of what was cancelled; where nothing may be missing, ever
-  // more rarely.
-  if (!misses_steps() && !cancel_) patience_ = std::min(2.0 * patience_, kMostPatienceToAsk * repair_after_);
+  // What is known to be missing is asked for steadily, and so is the end of what was cancelled; where nothing may be missing, or
+  // the question before is still without an answer, ever more rarely.
+  const bool unanswered = std::exchange(asked_, true);
+  const bool rarely = unanswered || (!misses_steps() && !cancel_);
+  patience_ = rarely ? std::min(2.0 * patience_, kMostPatienceToAsk * repair_after_) : repair_after_;
   ++traffic_.queries;
   return Due::kAsk;
+}
+
+void PlanState::wait_for_news(Time now) {
+  const std::lock_guard lock(mutex_);
+  if (sent_ || heard_) next_due_ = std::max(next_due_, now + from_seconds(repair_after_));
 }
 
 bool PlanState::unsent() const {

@@ -46,6 +46,8 @@ class PlanState {
   enum class Due { kNothing, kSend, kAsk };
   // Counts as done, and sets the time of the next.
   Due due(Time now);
+  // This process was halted: what has come meanwhile is looked at before anything is asked for.
+  void wait_for_news(Time now);
   bool unsent() const;  // kept until a server is known
   // Before the first kSend. `revision`: of its scene, as far as known, in case another server has to plan the same.
   void choose(const msg::Id& server, const std::string& revision = {});
@@ -113,7 +115,8 @@ class PlanState {
   std::vector<msg::Id> not_known_to_;
   int not_known_ = 0;  // answers in a row that said so
   Time next_due_{};
-  double patience_;  // s until the next due
+  double patience_;     // s until the next due
+  bool asked_ = false;  // and neither answered nor overtaken by progress
   PlanTraffic traffic_;
   PlanTimes times_;
 

@@ -25,6 +25,7 @@
 #include "jobs/job.hpp"
 #include "jobs/ports.hpp"
 #include "jobs/queue.hpp"
+#include "jobs/repeats.hpp"
 #include "jobs/watch.hpp"
 
 namespace foothold::server {
@@ -93,13 +94,16 @@ class Jobs final : public RunEvents {
   // Ends everything as SERVER_STOPPING and takes nothing more (P23). Done when idle().
   void stop();
   // Nothing is unfinished and nothing is left to tell.
-  bool idle() const { return jobs_.empty() && outgoing_.empty(); }
+  bool idle() const { return jobs_.empty() && outgoing_.empty() && repeats_.empty(); }
 
   // For the requests that come from now on.
   void set_limits(const AdmissionLimits& limits);
 
   // Ends the batch: commit, then tell.
   void settle();
+  // Steps that were asked for are still to be sent: call repeat() every few milliseconds.
+  bool repeating() const { return !repeats_.empty(); }
+  void repeat();
   // False if the batch holds nothing but receipts of requests that have just gone to their workers. It may wait a moment then: what
   // the worker says can go with it, in one commit and one burst.
   bool urgent() const { return urgent_; }
@@ -205,6 +209,7 @@ class Jobs final : public RunEvents {
   std::set<std::pair<Time, Id>> alarms_;
 
   std::vector<Outgoing> outgoing_;
+  Repeats repeats_;
   bool urgent_ = false;
   std::vector<Id> touched_;           // what the running batch writes of
   std::optional<std::string> fault_;  // why the running batch cannot be stored

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -47,6 +48,8 @@ struct Record {
   std::uint32_t steps = 0;
 };
 
+inline constexpr std::uint32_t kAllSteps = std::numeric_limits<std::uint32_t>::max();
+
 // The memory that survives kill -9. Writes are collected and made durable by commit(); reads see what was written before.
 // A failure (disk full) throws JournalError; what was written since the last commit() is then not kept.
 class Journal {
@@ -59,7 +62,8 @@ class Journal {
   virtual void commit() = 0;
   virtual bool knows(const Id& request) = 0;
   virtual std::optional<Record> find(const Id& request) = 0;
-  virtual std::vector<Bytes> steps(const Id& request, std::uint32_t from) = 0;
+  // `most` of them, from that number on.
+  virtual std::vector<Bytes> steps(const Id& request, std::uint32_t from, std::uint32_t most) = 0;
   virtual std::vector<Record> unfinished() = 0;  // in the order of receipt
   // Forgets some requests that ended before `stamp`, and their steps. False when there are no more of them. To be committed.
   virtual bool forget_before(Stamp stamp) = 0;
@@ -141,6 +145,9 @@ class Outbox {
   virtual void open(const Id& client) = 0;  // the client's partition, if it is not open
   virtual void event(const Id& client, const msg::PlanEvent& event) = 0;
   virtual void step(const Id& client, const Bytes& step) = 0;  // CDR of foothold::msg::Step
+  // Steps wait for this client, because its reader does not keep up; of this request.
+  virtual bool waits(const Id& client) const = 0;
+  virtual bool waits(const Id& client, const Id& request) const = 0;
 };
 
 }  // namespace foothold::server

@@ -38,7 +38,7 @@ void Jobs::resume(Record record) {
   const RobotStatus status = ports_.planners.status(job.request.robot());
   if (auto refusal = admit(job.request, options_.budget_max, status, ports_.scenes))
     return finish(job, {msg::FAILED, std::move(*refusal)});
-  job.replay = ports_.journal.steps(id, 0);
+  job.replay = ports_.journal.steps(id, 0, kAllSteps);
   if (job.request.server() == options_.server)
     hold(job);
   else

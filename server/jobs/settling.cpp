@@ -153,6 +153,15 @@ void Jobs::flush() {
     if (const auto* asked = std::get_if<Asked>(&out)) answer(*asked);
   outgoing_.clear();
   urgent_ = false;
+  repeat();
+}
+
+void Jobs::repeat() {
+  try {
+    repeats_.send(ports_.journal, ports_.outbox);
+  } catch (const JournalError& error) {
+    complain_(std::string("steps that were asked for cannot be read: ") + error.what());
+  }
 }
 
 void Jobs::answer(const Asked& asked) {
@@ -179,16 +188,17 @@ void Jobs::answer(const Asked& asked) {
   }
 }
 
-// The event and the steps from `asked.from_step` on; from 0 on with the scene's shapes, if it asked for them at all.
+// The event; the steps from `asked.from_step` on follow, unless they are under way. From 0 on with the scene's shapes, if it asked
+// for them at all.
 void Jobs::answer_with(const Asked& asked, msg::PlanEvent event) {
   event.answer(true);
   const std::uint32_t steps = event.steps();
+  const bool wants_steps = asked.from_step && *asked.from_step < steps;
+  const bool under_way = wants_steps && !repeats_.ask(asked.request, asked.client, *asked.from_step, steps, ports_.outbox);
   const bool stored = !unsaved_.contains(asked.request) || unsaved_.at(asked.request).accepted;
-  if (asked.from_step == 0U && stored)
+  if (asked.from_step == 0U && stored && !under_way)
     if (auto record = ports_.journal.find(asked.request)) event.scene(std::move(record->scene));
   ports_.outbox.event(asked.client, event);
-  if (!asked.from_step || *asked.from_step >= steps) return;
-  for (const Bytes& step : ports_.journal.steps(asked.request, *asked.from_step)) ports_.outbox.step(asked.client, step);
 }
 
 // Tries again, apart from any batch, to store the ends that could not be stored.

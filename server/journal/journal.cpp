@@ -129,11 +129,11 @@ std::optional<Record> SqliteJournal::find(const Id& request) {
   return record;
 }
 
-std::vector<Bytes> SqliteJournal::steps(const Id& request, std::uint32_t from) {
+std::vector<Bytes> SqliteJournal::steps(const Id& request, std::uint32_t from, std::uint32_t most) {
   let_go();
-  auto steps = reading([&] { return reader_->steps(request, from); });
+  auto steps = reading([&] { return reader_->steps(request, from, most); });
   visit_recent(request, [&](const Entry& entry) {
-    if (entry.kind == Entry::Kind::kStep && entry.number == static_cast<std::int64_t>(from + steps.size()))
+    if (steps.size() < most && entry.kind == Entry::Kind::kStep && entry.number == static_cast<std::int64_t>(from + steps.size()))
       steps.emplace_back(entry.body.begin(), entry.body.end());
   });
   return steps;

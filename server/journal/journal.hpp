@@ -43,7 +43,7 @@ class SqliteJournal final : public Journal {
   void commit() override;
   bool knows(const Id& request) override;
   std::optional<Record> find(const Id& request) override;
-  std::vector<Bytes> steps(const Id& request, std::uint32_t from) override;
+  std::vector<Bytes> steps(const Id& request, std::uint32_t from, std::uint32_t most = kAllSteps) override;
   std::vector<Record> unfinished() override;
   // Happens little by little in the carrier's thread, so that there is never more to commit: false.
   bool forget_before(Stamp stamp) override;

@@ -87,7 +87,7 @@ void Store::prepare() {
   sql_.ending = make("SELECT event FROM ending WHERE row = ?");
   sql_.scene = make("SELECT event FROM scene WHERE row = ?");
   sql_.last_step = make("SELECT max(number) FROM step WHERE request = ?");
-  sql_.steps = make("SELECT body FROM step WHERE request = ? AND number >= ? ORDER BY number");
+  sql_.steps = make("SELECT body FROM step WHERE request = ? AND number >= ? ORDER BY number LIMIT ?");
   sql_.unfinished = make("SELECT row FROM unfinished ORDER BY row");
   sql_.ids = make("SELECT id FROM request");
   // In the order of receipt, which is the order of the ends but for a budget.

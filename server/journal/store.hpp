@@ -41,7 +41,7 @@ class Store {
 
   bool knows(const Id& request);
   std::optional<Record> find(const Id& request);
-  std::vector<Bytes> steps(const Id& request, std::uint32_t from);
+  std::vector<Bytes> steps(const Id& request, std::uint32_t from, std::uint32_t most = kAllSteps);
   std::vector<Record> unfinished();
   void visit_ids(const std::function<void(const Id&)>& visit);
 

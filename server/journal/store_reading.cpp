@@ -53,12 +53,12 @@ std::optional<Record> Store::record(Row row) {
   return record;
 }
 
-std::vector<Bytes> Store::steps(const Id& request, std::uint32_t from) {
+std::vector<Bytes> Store::steps(const Id& request, std::uint32_t from, std::uint32_t most) {
   std::vector<Bytes> steps;
   const auto row = row_of(request);
   if (!row) return steps;
   const sqlite::Reset reset(sql_.steps);
-  sql_.steps.bind(1, *row).bind(2, std::int64_t{from});
+  sql_.steps.bind(1, *row).bind(2, std::int64_t{from}).bind(3, std::int64_t{most});
   while (sql_.steps.step()) {
     const auto bytes = sql_.steps.bytes(0);
     steps.emplace_back(bytes.begin(), bytes.end());

@@ -1,7 +1,19 @@
 // One writer and what waits for it.
 #include "net/channel.hpp"
 
+#include <cstring>
+
 namespace foothold::server {
+namespace {
+
+// Events and steps begin with the id of their request, behind four octets of encapsulation.
+msg::Id request_of(std::span<const std::byte> message) {
+  msg::Id id{};
+  if (message.size() >= 4 + id.size()) std::memcpy(id.data(), message.data() + 4, id.size());
+  return id;
+}
+
+}  // namespace
 
 bool Channel::write(std::span<const std::byte> message) {
   switch (writer_->write(message)) {
@@ -26,11 +38,14 @@ void Channel::send(std::span<const std::byte> message) {
   }
   waiting_.emplace_back(message.begin(), message.end());
   waiting_octets_ += message.size();
+  ++waiting_of_[request_of(message)];
 }
 
 bool Channel::retry() {
   while (!waiting_.empty() && write(waiting_.front())) {
     waiting_octets_ -= waiting_.front().size();
+    const auto of = waiting_of_.find(request_of(waiting_.front()));
+    if (--of->second == 0) waiting_of_.erase(of);
     waiting_.pop_front();
   }
   return waiting_.empty();

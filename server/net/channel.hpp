@@ -6,8 +6,10 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <unordered_map>
 
 #include "foothold/msg/cdr.hpp"
+#include "foothold/msg/ids.hpp"
 #include "foothold/transport/bus.hpp"
 
 namespace foothold::server {
@@ -26,6 +28,7 @@ class Channel {
   // Writes what waits, as far as the writer takes it. True if nothing waits any more.
   bool retry();
   bool waits() const { return !waiting_.empty(); }
+  bool waits_of(const msg::Id& request) const { return waiting_of_.contains(request); }
   // Messages left out since the last call, because too much waited or the writer failed; `why` in words.
   std::uint64_t take_left_out(std::string& why);
   transport::Writer& writer() const { return *writer_; }
@@ -37,6 +40,7 @@ class Channel {
   std::unique_ptr<transport::Writer> writer_;
   std::deque<msg::Bytes> waiting_;
   std::size_t waiting_octets_ = 0;
+  std::unordered_map<msg::Id, std::size_t, msg::IdHash> waiting_of_;  // messages, by request
   std::uint64_t left_out_ = 0;
   std::string why_;
 };

@@ -43,6 +43,16 @@ void Partitions::step(const Id& client, const Bytes& step) {
   if (Partition* partition = use(client)) send(partition->steps, step);
 }
 
+bool Partitions::waits(const Id& client) const {
+  const auto found = partitions_.find(client);
+  return found != partitions_.end() && found->second.steps.waits();
+}
+
+bool Partitions::waits(const Id& client, const Id& request) const {
+  const auto found = partitions_.find(client);
+  return found != partitions_.end() && found->second.steps.waits_of(request);
+}
+
 void Partitions::send(Channel& channel, std::span<const std::byte> message) {
   const bool waited = channel.waits();
   channel.send(message);

@@ -27,6 +27,8 @@ class Partitions final : public Outbox {
   void open(const Id& client) override;
   void event(const Id& client, const msg::PlanEvent& event) override;
   void step(const Id& client, const Bytes& step) override;
+  bool waits(const Id& client) const override;
+  bool waits(const Id& client, const Id& request) const override;
 
   // Tries what waits again. True if nothing waits any more.
   bool retry();

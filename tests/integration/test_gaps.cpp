@@ -45,6 +45,24 @@ TEST_P(Gaps, AForeignClientAsksFromAStepOnAndGetsExactlyThose) {
   EXPECT_EQ(wire_.steps(id).size(), 50u) << "the request's own client was sent what another asked for";
 }
 
+// P17: whoever asks again and again for what is under way to him already is not sent it again and again.
+TEST_P(Gaps, QuestionsWhileTheAnswerIsUnderWayRepeatNothing) {
+  constexpr std::uint32_t kSteps = 6000;
+  const msg::Id id = wire_.submit(paced_request("good", kSteps, 0.0));
+  ASSERT_TRUE(wire_.final_event(id));
+  ASSERT_TRUE(wire_.wait_for_steps(id, kSteps));
+  Wire hasty(GetParam().client, options_.domain);
+  ASSERT_TRUE(hasty.connect("good"));
+  for (int i = 0; i < 20; ++i) hasty.query(id);
+  ASSERT_TRUE(hasty.wait_until(10.0, [&] { return hasty.events(id).size() == 20; }));
+  ASSERT_TRUE(hasty.wait_for_steps(id, kSteps));
+  // A step too many would have come before the step of another plan.
+  const msg::Id last = hasty.submit(paced_request("good", 1, 0.0));
+  ASSERT_TRUE(hasty.wait_for_steps(last, 1));
+  // All of it twice at the most: some of the questions may have come when the answer to the first was over.
+  EXPECT_LE(hasty.steps(id).size(), 2 * kSteps);
+}
+
 TEST_P(Gaps, AClientThatAsksInMidPlanGetsTheRestAsItComes) {
   const msg::Id id = wire_.submit(paced_request("good", 150, 0.01));
   ASSERT_TRUE(wire_.wait_for_steps(id, 30));

@@ -102,6 +102,20 @@ TEST(Repairs, AnIdlePlanIsAskedForEverMoreRarely) {
   EXPECT_LE(plan.traffic().queries, 12u);
 }
 
+TEST(Repairs, AQuestionWithoutAnAnswerIsRepeatedEverMoreRarely) {
+  MemoryNetwork network;
+  ScriptedServer server(network, {.deaf = true});
+  Client client(network.bus(), {.repair_after = 0.02});
+  ASSERT_TRUE(client.wait_for_server(kSoon));
+  network.set_faults(Topic::kEvent, {.stalled = true});
+  Plan plan = client.query(msg::id_of("a plan with a gap"));
+  server.send(client.id(), numbered_step(plan.id(), 5));
+  EXPECT_EQ(plan.next(1.0), nullptr);
+  // Steadily it would be 50 in this second.
+  EXPECT_GE(plan.traffic().queries, 2u);
+  EXPECT_LE(plan.traffic().queries, 12u);
+}
+
 TEST(LostServer, OpenPlansAreToldAndGoOnWhenItIsBack) {
   MemoryNetwork network;
   ScriptedServer server(network, {.steps = 4, .ends = false});

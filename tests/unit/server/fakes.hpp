@@ -72,10 +72,12 @@ struct FakeJournal final : Journal {
     const auto found = read().find(id);
     return found == current.end() ? std::nullopt : std::optional(found->second.record);
   }
-  std::vector<Bytes> steps(const Id& id, std::uint32_t from) override {
+  std::vector<Bytes> steps(const Id& id, std::uint32_t from, std::uint32_t most) override {
     const auto found = read().find(id);
     if (found == current.end() || from > found->second.steps.size()) return {};
-    return {found->second.steps.begin() + from, found->second.steps.end()};
+    const auto& steps = found->second.steps;
+    const auto count = std::min<std::size_t>(most, steps.size() - from);
+    return {steps.begin() + from, steps.begin() + from + static_cast<std::ptrdiff_t>(count)};
   }
   std::vector<Record> unfinished() override {
     std::map<std::uint64_t, Record> ordered;
@@ -176,9 +178,15 @@ struct FakeOutbox final : Outbox {
   };
   std::vector<Message> messages;
   std::set<Id> opened;
+  std::map<Id, std::set<Id>> waiting;  // by client: requests of which steps wait for its reader
   void open(const Id& client) override { opened.insert(client); }
   void event(const Id& client, const msg::PlanEvent& event) override { messages.push_back({client, event, {}}); }
   void step(const Id& client, const Bytes& step) override { messages.push_back({client, std::nullopt, step}); }
+  bool waits(const Id& client) const override { return waiting.contains(client); }
+  bool waits(const Id& client, const Id& request) const override {
+    const auto found = waiting.find(client);
+    return found != waiting.end() && found->second.contains(request);
+  }
 };
 
 // All of it together, and short ways to say what happens.

@@ -82,9 +82,14 @@ TEST_F(PartitionsTest, P25WhatAFullWriterDoesNotTakeWaitsAndGoesInOrder) {
   network_.set_faults(Topic::kStep, {.full = true});
   for (std::uint32_t i = 0; i < 100; ++i) partitions_.step(World::kClient, step_bytes(msg::id_of("r"), i, "s"));
   EXPECT_EQ(wakes_, 1) << "asked for once";
+  EXPECT_TRUE(partitions_.waits(World::kClient));
+  EXPECT_TRUE(partitions_.waits(World::kClient, msg::id_of("r")));
+  EXPECT_FALSE(partitions_.waits(World::kClient, msg::id_of("another")));
+  EXPECT_FALSE(partitions_.waits(World::kOther));
   EXPECT_FALSE(partitions_.retry());
   network_.set_faults(Topic::kStep, {});
   EXPECT_TRUE(partitions_.retry());
+  EXPECT_FALSE(partitions_.waits(World::kClient, msg::id_of("r")));
   ASSERT_TRUE(network_.settle());
   ASSERT_EQ(received.count(), 100U);
   for (std::uint32_t i = 0; i < 100; ++i) EXPECT_EQ(msg::decode<msg::Step>(received.messages[i])->index(), i);

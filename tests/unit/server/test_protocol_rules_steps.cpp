@@ -109,6 +109,93 @@ TEST(P17, AQueryIsAnsweredWithTheCurrentEventAndTheStepsFromThereOn) {
   }
 }
 
+class P17Repeats : public ::testing::Test {
+ protected:
+  static constexpr std::uint32_t kSteps = 3 * Repeats::kWindow + 7;
+
+  void SetUp() override {
+    world_.submit(request_);
+    for (std::uint32_t i = 0; i < kSteps; ++i) world_.jobs->on_run_step(1, i, step_bytes(request_.id(), i, "s"));
+    world_.end(request_.id(), msg::SUCCEEDED);
+    world_.forget_messages();
+  }
+  std::size_t sent() const { return world_.steps(request_.id()).size(); }
+  void expect_each_once(std::uint32_t from) const {
+    Indices expected;
+    for (std::uint32_t i = from; i < kSteps; ++i) expected.push_back(i);
+    EXPECT_EQ(world_.steps(request_.id()), expected);
+  }
+
+  World world_;
+  msg::PlanRequest request_ = good_request();
+};
+
+TEST_F(P17Repeats, ALongAnswerGoesAWindowAtATime) {
+  world_.query(request_.id());
+  EXPECT_EQ(sent(), Repeats::kWindow);
+  EXPECT_TRUE(world_.jobs->repeating());
+  EXPECT_FALSE(world_.jobs->idle());
+  world_.jobs->repeat();
+  EXPECT_EQ(sent(), 2 * Repeats::kWindow);
+  while (world_.jobs->repeating()) world_.jobs->repeat();
+  expect_each_once(0);
+  EXPECT_TRUE(world_.jobs->idle());
+}
+
+TEST_F(P17Repeats, QuestionsWhileTheAnswerIsUnderWayAreAnsweredByTheEventAlone) {
+  for (int i = 0; i < 3; ++i) world_.query(request_.id());
+  EXPECT_EQ(world_.events(request_.id()).size(), 3U);
+  while (world_.jobs->repeating()) world_.jobs->repeat();
+  expect_each_once(0);
+  world_.forget_messages();
+  world_.query(request_.id(), kSteps - 1);
+  expect_each_once(kSteps - 1);
+}
+
+TEST_F(P17Repeats, WhatHasArrivedMeanwhileIsLeftOut) {
+  world_.query(request_.id());
+  world_.query(request_.id(), kSteps - 2);
+  while (world_.jobs->repeating()) world_.jobs->repeat();
+  EXPECT_LE(sent(), 2 * Repeats::kWindow);
+  EXPECT_EQ(world_.steps(request_.id()).back(), kSteps - 1);
+}
+
+TEST_F(P17Repeats, NothingIsSentToAReaderThatDoesNotKeepUp) {
+  world_.query(request_.id());
+  world_.outbox.waiting[World::kClient] = {request_.id()};
+  world_.query(request_.id(), 0, World::kOther);
+  for (int i = 0; i < 10; ++i) world_.jobs->repeat();
+  EXPECT_EQ(sent(), Repeats::kWindow);
+  EXPECT_EQ(world_.steps(request_.id(), World::kOther).size(), kSteps) << "others have their answer";
+  world_.outbox.waiting.clear();
+  while (world_.jobs->repeating()) world_.jobs->repeat();
+  expect_each_once(0);
+}
+
+TEST_F(P17Repeats, StepsThatWaitForTheReaderAreUnderWayToo) {
+  world_.outbox.waiting[World::kClient] = {request_.id()};
+  world_.query(request_.id());
+  world_.outbox.waiting.clear();
+  EXPECT_FALSE(world_.jobs->repeating());
+  EXPECT_EQ(sent(), 0U);
+  EXPECT_EQ(world_.events(request_.id()).size(), 1U) << "it may ask again";
+  world_.outbox.waiting[World::kClient] = {msg::id_of("another request")};
+  world_.query(request_.id());
+  world_.outbox.waiting.clear();
+  while (world_.jobs->repeating()) world_.jobs->repeat();
+  expect_each_once(0);
+}
+
+TEST_F(P17Repeats, AJournalThatCannotBeReadEndsTheAnswerNotTheServer) {
+  world_.query(request_.id());
+  world_.journal.unreadable = true;
+  world_.jobs->repeat();
+  EXPECT_EQ(world_.complaints.size(), 1U);
+  world_.jobs->repeat();
+  EXPECT_EQ(world_.complaints.size(), 1U);
+  EXPECT_FALSE(world_.jobs->repeating());
+}
+
 TEST(P18, AQueryOfAnUnknownIdIsAnsweredUnknown) {
   World world;
   world.query(msg::id_of("unheard of"));
