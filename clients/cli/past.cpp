@@ -40,7 +40,11 @@ PastPlan plan_in_bundle(const std::string& folder) {
     past.received = known.record.received;
     past.plan.scene = known.record.scene;
     if (known.record.final_event) past.plan.final_event = *known.record.final_event;
-    for (const msg::Bytes& step : known.steps) past.plan.steps.push_back(step_from(step, file));
+    for (const auto& [number, step] : known.steps) {
+      if (number != past.plan.steps.size())
+        throw Complaint(Exit::kUsage, file + ": holds no step " + std::to_string(past.plan.steps.size()));
+      past.plan.steps.push_back(step_from(step, file));
+    }
   } catch (const std::system_error& error) {
     throw Complaint(Exit::kUsage, file + ": cannot be read: " + error.code().message());
   } catch (const server::JournalError& error) {

@@ -24,7 +24,7 @@ std::optional<double> parse_quantity(std::string_view text, std::span<const Unit
   if (unit.empty()) return value;
   while (!unit.empty() && unit.front() == ' ') unit.remove_prefix(1);
   const auto found = std::ranges::find(units, unit, &Unit::first);
-  if (found == units.end()) return std::nullopt;
+  if (found == units.end() || !std::isfinite(value * found->second)) return std::nullopt;
   return value * found->second;
 }
 
@@ -54,6 +54,8 @@ std::string nearest(std::string_view name, const std::vector<std::string>& known
   std::string best;
   std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
   for (const auto& candidate : known) {
+    // No fewer letters change than there are more or less of them; to count them takes the product of both lengths.
+    if (std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size()) >= least) continue;
     const std::size_t changes = distance(name, candidate);
     if (changes >= least) continue;
     least = changes;

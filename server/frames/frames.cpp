@@ -22,6 +22,8 @@ constexpr std::array<const char*, 8> kNames = {"LOAD", "PLAN", "STOP", "READY", 
 
 // More room than one frame needs lets one read take many small frames.
 constexpr std::size_t kLeastRoom = 4096;
+// A frame's length is a promise: beyond this, room is made as octets arrive.
+constexpr std::size_t kTrusted = 64u << 10;
 // One huge step shall not cost its memory for ever.
 constexpr std::size_t kKeptBuffer = 1u << 20;
 
@@ -45,7 +47,7 @@ std::span<std::byte> FrameReader::room() {
     buffer_.shrink_to_fit();
   }
   const std::size_t missing = wanted_ > end_ - begin_ ? wanted_ - (end_ - begin_) : 0;
-  const std::size_t needed = std::max(missing, kLeastRoom);
+  const std::size_t needed = std::max(std::min(missing, std::max(end_ - begin_, kTrusted)), kLeastRoom);
   if (buffer_.size() - end_ < needed) {
     std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_), buffer_.begin() + static_cast<std::ptrdiff_t>(end_),
               buffer_.begin());

@@ -56,23 +56,23 @@ msg::Bytes contents(const std::string& file) {
 
 }  // namespace
 
+void visit_batches(std::span<const std::byte> segment, const std::function<void(std::span<const std::byte>)>& visit) {
+  while (segment.size() >= sizeof(Header)) {
+    Header header{};
+    std::memcpy(&header, segment.data(), sizeof header);
+    segment = segment.subspan(sizeof header);
+    if (header.size > segment.size() || checksum(segment.first(header.size)) != header.checksum) break;
+    visit(segment.first(header.size));
+    segment = segment.subspan(header.size);
+  }
+}
+
 Log::~Log() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 void Log::replay(const std::function<void(std::span<const std::byte>)>& visit) const {
-  for (const std::uint64_t number : segments(path_)) {
-    const msg::Bytes octets = contents(file(number));
-    std::span<const std::byte> rest = octets;
-    while (rest.size() >= sizeof(Header)) {
-      Header header{};
-      std::memcpy(&header, rest.data(), sizeof header);
-      rest = rest.subspan(sizeof header);
-      if (header.size > rest.size() || checksum(rest.first(header.size)) != header.checksum) break;
-      visit(rest.first(header.size));
-      rest = rest.subspan(header.size);
-    }
-  }
+  for (const std::uint64_t number : segments(path_)) visit_batches(contents(file(number)), visit);
 }
 
 void Log::restart() {

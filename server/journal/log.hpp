@@ -13,6 +13,9 @@
 
 namespace foothold::server {
 
+// The batches of one segment's octets, in order, as far as they are whole.
+void visit_batches(std::span<const std::byte> segment, const std::function<void(std::span<const std::byte> batch)>& visit);
+
 class Log {
  public:
   static constexpr std::uint64_t kSegmentOctets = 8u << 20;

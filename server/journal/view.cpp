@@ -85,7 +85,6 @@ void EntryView::add(const Entry& entry) {
         throw JournalError("an entry of the journal is damaged: its step's number");
       const auto index = static_cast<std::uint32_t>(entry.number);
       known.record.steps = std::max(known.record.steps, index + 1);
-      if (known.steps.size() <= index) known.steps.resize(index + 1);
       known.steps[index].assign(entry.body.begin(), entry.body.end());
       return;
     }
@@ -165,8 +164,10 @@ std::vector<Bytes> JournalView::steps(const Id& request) {
       steps.emplace_back(bytes.begin(), bytes.end());
     }
     const auto* known = log_.find(request);
-    for (std::size_t i = steps.size(); known != nullptr && i < known->steps.size() && !known->steps[i].empty(); ++i)
-      steps.push_back(known->steps[i]);
+    if (known != nullptr)
+      for (auto next = known->steps.find(static_cast<std::uint32_t>(steps.size()));
+           next != known->steps.end() && next->first == steps.size(); ++next)
+        steps.push_back(next->second);
     return steps;
   });
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -22,7 +23,7 @@ class EntryView {
   struct Known {
     Record record;
     bool has_request = false;
-    std::vector<Bytes> steps;  // by their number; empty where one is not there
+    std::map<std::uint32_t, Bytes> steps;  // by their number
   };
   // Throws JournalError for octets that are no messages.
   void add(const Entry& entry);

@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <regex>
 
+#include "another_biped.hpp"
 #include "certificate.hpp"
 #include "foothold/client/plan_file.hpp"
 #include "foothold/client/whole_file.hpp"
@@ -40,11 +42,13 @@ class Seeds {
   void add(const std::string& target, const std::string& name, char first, std::span<const std::byte> octets) {
     add(target, name, std::string(1, first) + std::string(reinterpret_cast<const char*>(octets.data()), octets.size()));
   }
-  // Every file below config/`from` that ends so.
-  void add_files(const std::string& target, const fs::path& from, const std::string& ending) {
+  // Every .yaml file of a folder, without its comments: most of what they are, and nothing that a parser looks into.
+  void add_files(const std::string& target, const fs::path& from) {
+    static const std::regex kComment(" *#[^\n]*"), kEmpty("\n+");
     for (const auto& entry : fs::directory_iterator(from))
-      if (const std::string name = entry.path().filename().string(); name.ends_with(ending))
-        add(target, name, client::read_whole_file(entry.path().string()));
+      if (entry.path().extension() == ".yaml")
+        add(target, entry.path().filename().string(),
+            std::regex_replace(std::regex_replace(client::read_whole_file(entry.path().string()), kComment, ""), kEmpty, "\n"));
   }
 
  private:
@@ -52,10 +56,14 @@ class Seeds {
 };
 
 void add_files(Seeds& seeds, const fs::path& config) {
-  seeds.add_files("server_config", config, ".yaml");
-  seeds.add_files("robot_files", config / "robots", ".yaml");
-  for (const char* target : {"plane_scene", "truss", "terrain", "stored_yaml"}) seeds.add_files(target, config / "scenes", ".yaml");
-  seeds.add_files("request_file", config / "requests", ".yaml");
+  seeds.add_files("server_config", config);
+  seeds.add_files("robot_files", config / "robots");
+  for (const char* target : {"plane_scene", "truss", "terrain", "stored_yaml"}) seeds.add_files(target, config / "scenes");
+  seeds.add_files("request_file", config / "requests");
+  seeds.add("terrain", "step.yaml",
+            "kind: terrain\ndescription: \"a step\"\n"
+            "vertices: [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [1, 0, 0.2], [1, 1, 0.2], [2, 0, 0.2], [2, 1, 0.3]]\n"
+            "triangles: [[0, 1, 2], [0, 2, 3], [1, 4, 5], [1, 5, 2], [4, 6, 7], [4, 7, 5]]\n");
   seeds.add("mesh", "cube.obj",
             std::string("\1") +
                 "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 1 4 3 2\nf 5 6 7 8\n"
@@ -143,6 +151,7 @@ void add_journals(Seeds& seeds) {
     add(server::Entry::Kind::kEnding, msg::encode(random.make<msg::PlanEvent>()));
     const std::string octets(reinterpret_cast<const char*>(batch.data()), batch.size());
     seeds.add("journal_rows", "batch" + std::to_string(k), octets);
+    seeds.add("bundle", "batch" + std::to_string(k), octets);
     const std::uint32_t header[] = {
         static_cast<std::uint32_t>(batch.size()),
         static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const unsigned char*>(octets.data()), octets.size()))};
@@ -197,6 +206,9 @@ int main(int argc, char** argv) {
   add_messages<msg::ServerInfo>(seeds, "server_messages", 4, "server");
   add_streams(seeds);
   add_journals(seeds);
+  // Limbs without bodies: half as long.
+  static const std::regex kBodies("(<link name='[rl]_[a-z_]*')>.*</link>");
+  seeds.add("urdf", "by_hand.urdf", std::regex_replace(bioloid::testing::biped_by_hand(), kBodies, "$1/>"));
   add_credentials(seeds);
   add_http(seeds);
   return 0;

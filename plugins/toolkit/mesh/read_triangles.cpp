@@ -80,27 +80,54 @@ std::string ending(const std::string& path) {
   return out;
 }
 
+void demand_format(const std::string& format) {
+  if (format != "stl" && format != "obj" && format != "ply")
+    throw InvalidScene("", "a mesh is a file .stl, .obj or .ply, is '" + format + "'");
+}
+
+// To make an importer takes longer than to read a small file: each thread keeps one, but no scene in it.
+class Reading {
+ public:
+  // From memory, so that no other file is opened, whatever this one names.
+  Reading(const std::string& octets, const std::string& format)
+      : scene_(importer().ReadFileFromMemory(octets.data(), octets.size(), 0, format.c_str())) {
+    if (scene_ == nullptr) throw InvalidScene("", std::string("the mesh cannot be read: ") + importer().GetErrorString());
+  }
+  ~Reading() { importer().FreeScene(); }
+  Reading(const Reading&) = delete;
+  Reading& operator=(const Reading&) = delete;
+
+  const aiScene& scene() const { return *scene_; }
+
+ private:
+  static Assimp::Importer& importer() {
+    thread_local Assimp::Importer kept;
+    return kept;
+  }
+  const aiScene* scene_;
+};
+
 }  // namespace
 
 TriangleMesh read_triangles(const std::string& path) {
   const std::string format = ending(path);
-  if (format != "stl" && format != "obj" && format != "ply")
-    throw InvalidScene("", "a mesh is a file .stl, .obj or .ply, is '" + format + "'");
+  demand_format(format);
   std::ifstream file(path, std::ios::binary);
   std::ostringstream bytes;
   if (!file || !(bytes << file.rdbuf())) throw InvalidScene("", "the scene file cannot be read");
-  const std::string text = std::move(bytes).str();
+  return parse_triangles(std::move(bytes).str(), format);
+}
 
-  if (format == "ply") demand_whole_ply(text);
-  Assimp::Importer importer;
-  // From memory, so that no other file is opened, whatever this one names.
-  const aiScene* scene = importer.ReadFileFromMemory(text.data(), text.size(), 0, format.c_str());
-  if (scene == nullptr) throw InvalidScene("", std::string("the mesh cannot be read: ") + importer.GetErrorString());
+TriangleMesh parse_triangles(const std::string& octets, const std::string& format) {
+  demand_format(format);
+  if (format == "ply") demand_whole_ply(octets);
+  const Reading reading(octets, format);
+  const aiScene& scene = reading.scene();
   TriangleMesh mesh;
   Welder welder(mesh.vertices);
   std::vector<int> corners;
-  for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
-    const aiMesh& part = *scene->mMeshes[m];
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& part = *scene.mMeshes[m];
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
       const aiFace& face = part.mFaces[f];
       const std::string here = triangle(mesh.triangles.size());

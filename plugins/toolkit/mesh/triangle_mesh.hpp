@@ -24,6 +24,8 @@ struct TriangleMesh {
 // too many triangles (a million), numbers that are not finite or beyond 10 km, degenerate triangles (a height below 1e-6 m), edges
 // of more than two triangles, neighbours whose outer sides disagree. Any thread.
 TriangleMesh read_triangles(const std::string& path);
+// `octets` is what a file of that format (stl, obj or ply) would hold.
+TriangleMesh parse_triangles(const std::string& octets, const std::string& format);
 
 // The same checks for triangles from elsewhere: vertices nearer than kSame become one, neighbours are found. Indices must be in
 // range.

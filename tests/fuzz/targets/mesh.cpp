@@ -2,21 +2,23 @@
 #include "../fuzzing.hpp"
 #include "foothold/errors.hpp"
 #include "terrain/terrain.hpp"
-#include "truss/truss.hpp"
+#include "truss/merge_coplanar.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace foothold;
-  constexpr const char* kFormats[] = {"mesh.stl", "mesh.obj", "mesh.ply"};
+  constexpr const char* kFormats[] = {"stl", "obj", "ply"};
   if (size == 0) return 0;
-  const std::string file = fuzz::as_file(kFormats[data[0] % std::size(kFormats)], fuzz::octets_of(data + 1, size - 1));
+  mesh::TriangleMesh read;
   try {
-    const terrain::Terrain terrain = terrain::read_terrain(file);
-    fuzz::demand(terrain.size() > 0, "a terrain has triangles");
+    read = mesh::parse_triangles(fuzz::text_of(data + 1, size - 1), kFormats[data[0] % std::size(kFormats)]);
+  } catch (const InvalidScene&) {
+    return 0;
+  }
+  fuzz::demand(!read.triangles.empty() && read.neighbours.size() == read.triangles.size(), "a mesh has triangles");
+  try {
+    fuzz::demand(terrain::make_terrain(read).size() > 0, "a terrain has triangles");
   } catch (const InvalidScene&) {
   }
-  try {
-    fuzz::demand(!truss::read_mesh(file).faces.empty(), "a truss has faces");
-  } catch (const InvalidScene&) {
-  }
+  fuzz::demand(!truss::merge_coplanar(read).faces.empty(), "a truss has faces");
   return 0;
 }

@@ -263,13 +263,16 @@ TEST(Words, FindTheNearestNameOnlyIfItIsNear) {
   EXPECT_EQ(nearest("quene_limit", {"name", "queue_limit"}), "queue_limit");
   EXPECT_EQ(nearest("x", {"name", "queue_limit"}), "");
   EXPECT_EQ(nearest("nmae", {"name"}), "") << "two of four letters";
+  EXPECT_EQ(nearest(std::string(30, 'x'), {std::string(39, 'x'), std::string(41, 'x')}), std::string(39, 'x'));
+  EXPECT_EQ(nearest(std::string(30, 'x'), {std::string(41, 'x')}), "") << "eleven of thirty letters";
 }
 
 TEST(Words, ReadQuantities) {
   EXPECT_EQ(parse_seconds("1.5 min"), 90.0);
   EXPECT_EQ(parse_seconds("100ms"), 0.1);
   EXPECT_EQ(parse_octets("2 KiB"), 2048.0);
-  for (const char* wrong : {"", "s", "1 ", "1 m", "inf", "nan", "1 s s", "0x10"}) EXPECT_FALSE(parse_seconds(wrong)) << wrong;
+  for (const char* wrong : {"", "s", "1 ", "1 m", "inf", "nan", "1 s s", "0x10", "1e308 d"})
+    EXPECT_FALSE(parse_seconds(wrong)) << wrong;
 }
 
 }  // namespace

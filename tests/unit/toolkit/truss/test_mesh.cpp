@@ -108,6 +108,14 @@ TEST(Mesh, OfABoxHasTheBeamsFacesInEveryFormat) {
   expect_beam(read_mesh(MeshFile(as_ply(triangles), "ply").path));
 }
 
+TEST(Mesh, IsTheSameAfterOneThatWasRefused) {
+  const std::string good = as_stl(triangles_of(kBeam, 1)), bad = "ply\nformat ascii 1.0\nelement vertex 1\nend_header\n0\n";
+  expect_beam(merge_coplanar(mesh::parse_triangles(good, "stl")));
+  EXPECT_THROW(mesh::parse_triangles(bad, "ply"), InvalidScene);
+  EXPECT_THROW(mesh::parse_triangles("", "obj"), InvalidScene);
+  expect_beam(merge_coplanar(mesh::parse_triangles(good, "stl")));
+}
+
 TEST(Mesh, OfAFinelyCutBoxHasTheBeamsFaces) { expect_beam(read_mesh(MeshFile(as_stl(triangles_of(kBeam, 5)), "STL").path)); }
 
 TEST(Mesh, KeepsTheHolesOfAFace) {

@@ -33,6 +33,8 @@ std::string suggestion(std::string_view name, const Names& known) {
   std::size_t least = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string_view candidate : known) {
     all += (all.empty() ? "" : ", ") + std::string(candidate);
+    // No fewer letters change than there are more or less of them; to count them takes the product of both lengths.
+    if (std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size()) >= least) continue;
     const std::size_t distance = edit_distance(name, candidate);
     if (distance >= least) continue;
     least = distance;
