@@ -24,7 +24,11 @@ std::optional<msg::Id> plan_of(std::span<const std::byte> message) {
 }  // namespace
 
 Client::Impl::Impl(std::unique_ptr<transport::Bus> the_bus, ClientOptions the_options)
-    : options(with_id(the_options)), bus(std::move(the_bus)), directory(options.id), outgoing(std::make_shared<Outgoing>(*bus)) {
+    : options(with_id(the_options)),
+      bus(std::move(the_bus)),
+      directory(options.id),
+      outgoing(std::make_shared<Outgoing>(*bus)),
+      kept_scenes(directory, *outgoing, options.keep_scenes) {
   const std::string mine = msg::to_hex(options.id);
   steps_ = listen(Topic::kStep, mine, [this](auto message) { on_step(message); });
   events_ = listen(Topic::kEvent, mine, [this](auto message) { on_event(message); });
@@ -74,21 +78,24 @@ std::shared_ptr<PlanState> Client::Impl::find(const msg::Id& id) {
   return plan == plans_.end() ? nullptr : plan->second;
 }
 
-// For a plan whose server is lost or has refused it. False if nobody else can take it. Of a lost server's any other is asked, if
-// only to hear why it cannot.
-bool Client::Impl::find_another(const std::shared_ptr<PlanState>& plan, Clock::time_point now) {
+// For a plan whose server is lost or has refused it. kNo if nobody else can take it, kSoon if one can when it has the scene that is
+// on its way. Of a lost server's any other is asked, if only to hear why it cannot.
+Client::Impl::Found Client::Impl::find_another(const std::shared_ptr<PlanState>& plan, Clock::time_point now) {
   std::vector<msg::Id> had_it = plan->left();
   had_it.push_back(plan->server());
-  const auto server = directory.choose(plan->request(), had_it, !plan->server_lost());
-  if (!server) return false;
+  const msg::PlanRequest request = plan->request();
+  auto server = directory.choose(request, had_it, true);
+  if (!server && kept_scenes.may_deliver(request, had_it)) return Found::kSoon;
+  if (!server && plan->server_lost()) server = directory.choose(request, had_it, false);
+  if (!server) return Found::kNo;
   if (plan->move(*server, now)) delivery_.post(plan);
   wake_keeper();
-  return true;
+  return Found::kYes;
 }
 
 void Client::Impl::after(const std::shared_ptr<PlanState>& plan, bool news) {
   const auto now = Clock::now();
-  if (plan->wants_another() && !find_another(plan, now)) news = plan->stay(now) || news;
+  if (plan->wants_another() && find_another(plan, now) == Found::kNo) news = plan->stay(now) || news;
   if (news) delivery_.post(plan);
   if (!plan->ended()) return;
   if (auto cancel = plan->take_farewell()) {

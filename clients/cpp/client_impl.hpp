@@ -14,6 +14,7 @@
 #include "delivery.hpp"
 #include "directory.hpp"
 #include "foothold/client/client.hpp"
+#include "kept_scenes.hpp"
 #include "outgoing.hpp"
 #include "plan_state.hpp"
 
@@ -33,6 +34,7 @@ class Client::Impl {
   const std::unique_ptr<transport::Bus> bus;
   Directory directory;
   const std::shared_ptr<Outgoing> outgoing;
+  KeptScenes kept_scenes;
 
  private:
   // On the bus's threads.
@@ -42,7 +44,8 @@ class Client::Impl {
   std::shared_ptr<PlanState> find(const msg::Id& id);
   void begin(const std::shared_ptr<PlanState>& plan);
   void after(const std::shared_ptr<PlanState>& plan, bool news);
-  bool find_another(const std::shared_ptr<PlanState>& plan, Clock::time_point now);
+  enum class Found { kYes, kSoon, kNo };
+  Found find_another(const std::shared_ptr<PlanState>& plan, Clock::time_point now);
   std::unique_ptr<transport::Reader> listen(transport::Topic topic, const std::string& partition,
                                             std::function<void(std::span<const std::byte>)> on_message);
 

@@ -23,7 +23,7 @@ bool Directory::add(const msg::ServerInfo& server, Clock::time_point now) {
   const std::lock_guard lock(mutex_);
   const auto [seen, is_new] = servers_.try_emplace(server.key());
   const bool back = is_new || !seen->second.server.alive;
-  seen->second = {{server, true}, now, 0};
+  seen->second = {{server, true}, now, 0, back ? now : seen->second.since};
   if (back) tell();
   return back;
 }
@@ -148,6 +148,29 @@ std::string Directory::newest(std::string_view name, const msg::Id& server) cons
   for (const auto& [key, scene] : scenes_)
     if (scene.server() == server && scene.name() == name && (best == nullptr || scene.stamp() > best->stamp())) best = &scene;
   return best == nullptr ? std::string() : best->revision();
+}
+
+std::vector<msg::Id> Directory::without_scene(std::string_view name, Clock::time_point since) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<msg::Id> list;
+  for (const auto& [id, seen] : servers_) {
+    const auto has_it = [&](const auto& entry) { return entry.second.server() == id && entry.second.name() == name; };
+    if (seen.server.alive && seen.since <= since && std::ranges::none_of(scenes_, has_it)) list.push_back(id);
+  }
+  return list;
+}
+
+bool Directory::is_superseded(std::string_view name, std::string_view revision) const {
+  const std::lock_guard lock(mutex_);
+  const msg::SceneStatus* newest = nullptr;
+  for (const auto& [key, scene] : scenes_)
+    if (scene.name() == name && (newest == nullptr || scene.stamp() > newest->stamp())) newest = &scene;
+  return newest != nullptr && newest->revision() != revision;
+}
+
+bool Directory::is_there(const msg::Id& server) const {
+  const std::lock_guard lock(mutex_);
+  return is_alive(server);
 }
 
 std::optional<msg::Id> Directory::choose(const msg::PlanRequest& request, std::span<const msg::Id> except, bool able) {

@@ -40,11 +40,15 @@ class Directory {
   // The alive server that has the request's robot and scene and the least to do, counting what choose() gave it since its last
   // heartbeat; servers that have equally much in an order of this client's own. One that stops, whose robot is not ready or that
   // has not told of the scene comes last: it still answers, with the reason.
-  std::optional<msg::Id> choose(const msg::PlanRequest& request) { return choose(request, {}, false); }
   // None of `except`, and if `able` none of those that come last.
-  std::optional<msg::Id> choose(const msg::PlanRequest& request, std::span<const msg::Id> except, bool able);
+  std::optional<msg::Id> choose(const msg::PlanRequest& request, std::span<const msg::Id> except = {}, bool able = false);
   // The newest revision of a scene as this server told; empty if it did not.
   std::string newest(std::string_view scene, const msg::Id& server) const;
+  // Servers that are alive, since then or longer, and have told of no scene of this name.
+  std::vector<msg::Id> without_scene(std::string_view scene, Clock::time_point since) const;
+  // Another revision of this scene was stored anywhere later than this one.
+  bool is_superseded(std::string_view scene, std::string_view revision) const;
+  bool is_there(const msg::Id& server) const;  // alive
   // Answers to this upload are kept from now on, until it is forgotten.
   void expect(const msg::Id& upload);
   void forget(const msg::Id& upload);
@@ -64,6 +68,7 @@ class Directory {
     ServerSeen server;
     Clock::time_point beat;
     std::uint32_t given = 0;  // requests since
+    Clock::time_point since;  // alive without a break
   };
   bool is_alive(const msg::Id& server) const;
   bool has_scene(const msg::Id& server, const msg::PlanRequest& request) const;

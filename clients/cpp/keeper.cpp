@@ -36,9 +36,10 @@ void Client::Impl::keep() {
     lock.unlock();
     const auto now = Clock::now();
     if (now - meant > kHalted) begin_anew(now);
-    const bool sent = outgoing->flush();
+    bool sent = outgoing->flush();
     try {
       look_at_servers(now);
+      if (kept_scenes.tend(now)) sent = false;
       say_hello(now);
       say_farewells();
       look_at_plans(now);
@@ -78,7 +79,7 @@ void Client::Impl::look_at_servers(Clock::time_point now) {
     const auto seen = std::ranges::find(servers, server, [](const ServerSeen& s) { return s.info.key(); });
     if (seen == servers.end()) continue;
     if (plan->set_server_lost(!seen->alive, now)) delivery_.post(plan);
-    if (!seen->alive && plan->wants_another()) find_another(plan, now);
+    if (plan->wants_another()) after(plan, false);
   }
   for (const ServerSeen& server : servers) {
     if (!server.alive)
@@ -134,11 +135,12 @@ bool Client::Impl::ready_to_send(PlanState& plan, Clock::time_point now) {
   if (!plan.unsent()) return true;
   const msg::PlanRequest request = plan.request();
   if (request.server() != msg::kNoId) return true;
-  if (const auto server = directory.choose(request)) {
+  const bool soon = kept_scenes.may_deliver(request, {});
+  if (const auto server = directory.choose(request, {}, soon)) {
     plan.choose(*server, request.scene().empty() ? std::string() : directory.newest(request.scene(), *server));
     return true;
   }
-  if (now - plan.times().submitted < from_seconds(options.choose_within)) return false;
+  if (soon || now - plan.times().submitted < from_seconds(options.choose_within)) return false;
   const std::vector<msg::Id> alive = directory.alive();
   if (alive.empty()) return false;
   plan.choose(alive.front());

@@ -54,6 +54,7 @@ std::optional<msg::SceneStatus> Client::upload(const std::string& name, const st
     verdict = directory.verdict(chunk.upload(), servers, name, chunk.revision(), Clock::now() - sent > kOwnAnswer);
   }
   directory.forget(chunk.upload());
+  if (server == msg::kNoId && verdict && verdict->state() == msg::STORED) impl_->kept_scenes.keep(chunk, bytes);
   return verdict;
 }
 

@@ -198,6 +198,31 @@ TEST_P(Failover, ASceneGoesToAllServersAndAPlanToOneThatHasIt) {
   }
 }
 
+// P40: what a client has uploaded goes to servers that come later, too.
+TEST_P(Failover, AServerThatCameLaterHasTheSceneWhenItIsNeeded) {
+  std::string yard = "ground: 1\n";  // too long for what the bus keeps for late readers
+  while (yard.size() < 5000000) yard += "# " + std::string(1000, '.') + "\n";
+  EXPECT_EQ(two_.stop(), 0);
+  ASSERT_TRUE(eventually([&] { return std::ranges::count_if(client_.servers(), [](const auto& s) { return s.alive; }) == 1; }));
+  const auto verdict = client_.upload("yard", "yaml", std::as_bytes(std::span(yard)), kSoon);
+  ASSERT_TRUE(verdict);
+  ASSERT_EQ(verdict->state(), msg::STORED) << verdict->error().message();
+  msg::PlanRequest request = paced_request("good", 300, 0.01);
+  request.scene("yard");
+  client::Plan plan = client_.submit(request);
+  ASSERT_TRUE(eventually([&] { return plan.steps_ready() >= 20; }));
+  ASSERT_EQ(plan.server(), first_);
+  two_.start();
+  ASSERT_TRUE(eventually([&] { return std::ranges::count_if(client_.servers(), [](const auto& s) { return s.alive; }) == 2; }));
+  one_.kill();  // before the second can have it
+  const auto end = plan.wait(kSoon);
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->state(), msg::SUCCEEDED) << describe(*end);
+  EXPECT_NE(end->server(), first_);
+  EXPECT_EQ(end->summary().scene_revision(), verdict->revision());
+  expect_whole(plan, 300);
+}
+
 INSTANTIATE_TEST_SUITE_P(Fleets, Failover,
                          testing::Values(Fleet{"cyclone", "cyclone", "cyclone"}, Fleet{"fastdds", "fastdds", "fastdds"},
                                          Fleet{"cyclone", "fastdds", "cyclone"}, Fleet{"cyclone", "fastdds", "fastdds"}),

@@ -32,7 +32,8 @@ struct ClientOptions {
   double resend_after = 0.5;    // unanswered, a request is sent again under its id; doubled up to 4 s
   double choose_within = 1.0;   // how long submit() waits for a server that has the robot before it asks any other
   double server_silence = 1.5;  // without a heartbeat, a server counts as lost; half of it if the vendor misses one, too
-  bool failover = true;         // a request whose server is lost or cannot take it goes to another (idl/PROTOCOL.md P34 to P38)
+  std::size_t keep_scenes = std::size_t{64} << 20;  // octets of files uploaded to all servers that are kept, for later ones (P40)
+  bool failover = true;  // a request whose server is lost or cannot take it goes to another (idl/PROTOCOL.md P34 to P38)
 };
 
 // A request cannot be sent: the vendor refused its octets. The message names the topic and the vendor's reason.
@@ -90,7 +91,8 @@ class Client {
   // ---- scenes
   // Sends a file's octets and waits for the verdict: SceneStatus with state STORED or REFUSED and its error. `format`: yaml, stl,
   // obj or ply. `server` zero: to all that are alive, so that any of them can plan with it; the verdict is then a refusal if one of
-  // them refuses. Nothing if one that is alive did not answer within `seconds`. Waits.
+  // them refuses. Nothing if one that is alive did not answer within `seconds`. Waits. What all of them stored is kept here and
+  // goes, by itself, to servers that come later and have no scene of that name.
   std::optional<msg::SceneStatus> upload(const std::string& name, const std::string& format, std::span<const std::byte> bytes,
                                          double seconds, const msg::Id& server = msg::kNoId);
 
