@@ -4,8 +4,8 @@
 # What they learn is kept in build/fuzz/corpus, what they find in build/fuzz/findings. A table of runs; exit code 1 if anything was
 # found, else 3 if a target is not built (cmake --build --preset fuzz). A fuzzer that gets SIGINT ends with its runs counted.
 #
-# With --seconds leaks are looked for at every run. With --runs, where that would take a third of the time, they are looked for at
-# the end, over everything that was learnt.
+# With --seconds leaks are looked for at every run, and inputs are chosen by how rare what they reach is. With --runs, where both
+# would take a third of the time, any of the corpus is as good as any other, and leaks are looked for at the end, over all of it.
 set -eu
 cd "$(dirname "$0")/../.."
 seconds=60 wanted=0 prefix= patience=20
@@ -50,7 +50,7 @@ for target; do
   set -- -max_total_time="$seconds"
   if [ "$wanted" -gt 0 ]; then
     [ "$before" -lt "$wanted" ] || { row 0 "$before" 0 "done before"; continue; }
-    set -- -runs=$((wanted - before)) -detect_leaks=0
+    set -- -runs=$((wanted - before)) -detect_leaks=0 -entropic=0
   fi
   # Longer inputs make each run slow and find no more; what is read as octets has its seeds' length.
   case $target in

@@ -20,7 +20,7 @@ struct TriangleMesh {
   std::vector<std::array<int, 3>> neighbours;  // across the edge from corner k to k + 1; -1: none
 };
 
-// STL, OBJ or PLY by assimp; the format by the ending of the file's name. Throws InvalidScene for files that cannot be read, no or
+// STL, OBJ or PLY; the format by the ending of the file's name. Throws InvalidScene for files that cannot be read, no or
 // too many triangles (a million), numbers that are not finite or beyond 10 km, degenerate triangles (a height below 1e-6 m), edges
 // of more than two triangles, neighbours whose outer sides disagree. Any thread.
 TriangleMesh read_triangles(const std::string& path);
