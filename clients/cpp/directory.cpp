@@ -154,7 +154,7 @@ std::vector<msg::Id> Directory::without_scene(std::string_view name, Clock::time
   const std::lock_guard lock(mutex_);
   std::vector<msg::Id> list;
   for (const auto& [id, seen] : servers_) {
-    const auto has_it = [&](const auto& entry) { return entry.second.server() == id && entry.second.name() == name; };
+    const auto has_it = [&name, &id = id](const auto& entry) { return entry.second.server() == id && entry.second.name() == name; };
     if (seen.server.alive && seen.since <= since && std::ranges::none_of(scenes_, has_it)) list.push_back(id);
   }
   return list;
