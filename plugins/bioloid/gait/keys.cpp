@@ -5,7 +5,7 @@ namespace foothold::bioloid {
 namespace {
 
 constexpr double kClose = 1e-10;  // m
-constexpr int kRounds = 40;       // each takes the error to about a tenth
+constexpr int kRounds = 40;
 
 }  // namespace
 
@@ -28,19 +28,24 @@ std::optional<KeyPosture> key_posture(const Model& model, Side support, const Ke
   KeyPosture out;
   out.joints = model.carrying;
   const double z = pelvis_height(model, key.height);
-  // The legs that stand carry about a fifth of the mass, half of which follows the pelvis.
-  constexpr double kFollows = 0.75;
+  // The legs that stand carry about a fifth of the mass, half of which follows the pelvis; what follows is learned from each
+  // round (Broyden, 1965).
+  Eigen::Matrix2d follows = 0.75 * Eigen::Matrix2d::Identity();
   PlanarPose pelvis{key.balance.x(), key.balance.y(), key.heading};
+  Eigen::Vector2d before = Eigen::Vector2d::Zero(), moved = Eigen::Vector2d::Zero();
   for (int round = 0; round < kRounds; ++round) {
     if (!stand(model, support, pelvis, z, key.swing, key.lift, out.joints)) return std::nullopt;
-    const Vector3d centre = to_world(pelvis, z) * centre_of_mass(model, out.joints);
-    const Eigen::Vector2d miss = key.balance - centre.head<2>();
+    const Eigen::Vector2d centre = (to_world(pelvis, z) * centre_of_mass(model, out.joints)).head<2>();
+    const Eigen::Vector2d miss = key.balance - centre;
     if (miss.norm() < kClose) {
       out.pelvis = {pelvis.x, pelvis.y};
       return out;
     }
-    pelvis.x += miss.x() / kFollows;
-    pelvis.y += miss.y() / kFollows;
+    if (round > 0) follows += (centre - before - follows * moved) * moved.transpose() / moved.squaredNorm();
+    before = centre;
+    moved = follows.inverse() * miss;
+    pelvis.x += moved.x();
+    pelvis.y += moved.y();
   }
   return std::nullopt;
 }

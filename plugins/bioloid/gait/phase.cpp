@@ -76,6 +76,12 @@ Fault certify(Judge& judge, const Phase& phase, const Support& support) {
   return Fault::kNone;
 }
 
+bool clears(Judge& judge, const Phase& phase, const Support& support) {
+  for (std::size_t k = 1; k < phase.points.size(); ++k)
+    if (!judge.clears(phase.points[k - 1], phase.points[k], support)) return false;
+  return true;
+}
+
 Phase reversed(const Phase& phase) {
   Phase out = phase;
   std::reverse(out.points.begin(), out.points.end());

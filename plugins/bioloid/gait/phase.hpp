@@ -26,8 +26,10 @@ struct Phase {
 Phase make_phase(const char* name, const Model& model, Judge& judge, const Support& support, const JointPath& path,
                  const Pace& pace, unsigned ground);
 
-// Certified again in another place or by another judge (obstacles). Gives the first fault.
+// Certified again in another place or by another judge. Gives the first fault.
 Fault certify(Judge& judge, const Phase& phase, const Support& support);
+// Certified against the judge's obstacles alone, in another place, of what was certified without them.
+bool clears(Judge& judge, const Phase& phase, const Support& support);
 
 // The same way backwards in the same time.
 Phase reversed(const Phase& phase);

@@ -1,9 +1,12 @@
 // What Judge keeps between calls, and its checks one by one. Private to posture/.
 #pragma once
 
+#include <optional>
+
 #include "bioloid/posture/bends.hpp"
 #include "bioloid/posture/ground.hpp"
 #include "bioloid/posture/judge.hpp"
+#include "bioloid/posture/obstacles.hpp"
 #include "bioloid/posture/upper.hpp"
 
 namespace foothold::bioloid {
@@ -26,9 +29,10 @@ enum Check : unsigned { kBalanceCheck = 1, kGroundCheck = 2, kSlipCheck = 4, kSe
 enum Touching : unsigned { kTouchesAtA = 1, kTouchesAtB = 2, kTouchesSomewhere = 4 };
 
 struct Judge::Inside {
-  Inside(const Model& model, Demands demands, std::vector<Prism> obstacles);
+  Inside(const Model& model, Demands demands, const std::vector<Prism>& prisms);
 
   void stand_on(const Support& support);
+  void stand_near(const Support& support);
   void place(const Joints& joints, Snapshot& out);
   bool within_limits(const Joints& joints) const;
   Bends bends_of(const Snapshot& a, const Rates& rates) const;
@@ -61,7 +65,7 @@ struct Judge::Inside {
 
   Model model;
   Demands demands;
-  std::vector<Prism> prisms;
+  std::vector<Obstacle> obstacles;
   Legs legs;
   std::array<Weights, 2> weights;
   Joints low, high;
@@ -69,6 +73,8 @@ struct Judge::Inside {
   bool bracket_boxes = false;
   Upper upper;  // of the arms as they were held last
   Ground ground;
+  std::vector<const Obstacle*> near;       // within reach of where it stands
+  std::optional<Eigen::Vector2d> near_at;  // there
 };
 
 }  // namespace foothold::bioloid

@@ -24,8 +24,8 @@ Fault first_of(unsigned checks) {
 
 }  // namespace
 
-Judge::Inside::Inside(const Model& robot, Demands d, std::vector<Prism> obstacles)
-    : model(robot), demands(d), prisms(std::move(obstacles)), legs(model), mass(model.mass()), arm(arm_reach(model)) {
+Judge::Inside::Inside(const Model& robot, Demands d, const std::vector<Prism>& prisms)
+    : model(robot), demands(d), obstacles(prisms.begin(), prisms.end()), legs(model), mass(model.mass()), arm(arm_reach(model)) {
   constexpr double kRounding = 1e-12;
   for (const Side side : {Side::kRight, Side::kLeft}) {
     weights[index_of(side)] = Weights(model, side);
@@ -44,7 +44,9 @@ Judge::Inside::Inside(const Model& robot, Demands d, std::vector<Prism> obstacle
 }
 
 void Judge::Inside::stand_on(const Support& support) {
-  if (!ground.is_for(support)) ground = Ground(model, support, prisms, reach);
+  if (ground.is_for(support)) return;
+  ground = Ground(model, support);
+  stand_near(support);
 }
 
 bool Judge::Inside::within_limits(const Joints& joints) const {
@@ -109,8 +111,8 @@ Fault Judge::Inside::certify(const Snapshot& a, const Snapshot& b, unsigned whic
   return certify(middle, b, left, touching & ~kTouchesAtA, depth + 1);
 }
 
-Judge::Judge(const Model& model, Demands demands, std::vector<Prism> obstacles)
-    : inside_(std::make_unique<Inside>(model, demands, std::move(obstacles))) {}
+Judge::Judge(const Model& model, Demands demands, const std::vector<Prism>& obstacles)
+    : inside_(std::make_unique<Inside>(model, demands, obstacles)) {}
 Judge::~Judge() = default;
 
 Fault Judge::posture(const Joints& joints, const Support& support) {
@@ -129,6 +131,23 @@ Fault Judge::motion(const Joints& a, const Joints& b, const Support& support, un
   inside_->place(b, to);
   const unsigned touching = (swing_on_ground & 3U) | ((swing_on_ground & 3U) ? kTouchesSomewhere : 0U);
   return inside_->certify(from, to, kAllChecks, touching, 0);
+}
+
+bool Judge::clears(const Joints& joints, const Support& support) {
+  inside_->stand_on(support);
+  if (inside_->near.empty()) return true;
+  Snapshot at;
+  inside_->place(joints, at);
+  return inside_->posture_fault(at, kObstacleCheck) == Fault::kNone;
+}
+
+bool Judge::clears(const Joints& a, const Joints& b, const Support& support) {
+  inside_->stand_on(support);
+  if (inside_->near.empty()) return true;
+  Snapshot from, to;
+  inside_->place(a, from);
+  inside_->place(b, to);
+  return inside_->certify(from, to, kObstacleCheck, 0, 0) == Fault::kNone;
 }
 
 Balance Judge::balance(const Joints& joints, const Support& support) {

@@ -1,11 +1,11 @@
 // The search's judge of postures and motions: limits, self-collision, ground, obstacles, balance, with margins; fast.
 //
-// Everything is seen from the support sole's frame: the sole that stands fast. A motion is a straight line in the 18 joints; it is
-// certified between its ends, not sampled: along a line q(t) = a + t (b - a) any point of a body deviates from the chord between
-// its end positions by at most |b - a|^2_w / 8 (a bound on the second derivative, from the bodies' greatest distances to the
-// joints' axes), so a plane that separates two bodies at both ends by more than that separates them all the way; the same holds for
-// the heights of the swing sole's corners and for the centre of mass inside the support polygon. What cannot be shown so is halved,
-// down to 1/256.
+// Everything but the obstacles is seen from the support sole's frame: the sole that stands fast. A motion is a straight line in the
+// 18 joints; it is certified between its ends, not sampled: along a line q(t) = a + t (b - a) any point of a body deviates from the
+// chord between its end positions by at most |b - a|^2_w / 8 (a bound on the second derivative, from the bodies' greatest distances
+// to the joints' axes), so a plane that separates two bodies at both ends by more than that separates them all the way; the same
+// holds for the heights of the swing sole's corners and for the centre of mass inside the support polygon. What cannot be shown so
+// is halved, down to 1/256.
 //
 // Used by one thread at a time (it keeps scratch space).
 #pragma once
@@ -45,7 +45,7 @@ struct Balance {
 
 class Judge {
  public:
-  Judge(const Model& model, Demands demands, std::vector<Prism> obstacles = {});
+  Judge(const Model& model, Demands demands, const std::vector<Prism>& obstacles = {});
   ~Judge();
 
   // One posture.
@@ -53,6 +53,10 @@ class Judge {
   // The straight line between two postures, certified. `a` and `b` themselves included. `swing_on_ground`: bit 0 (at a), bit 1 (at
   // b): there the swing sole touches the ground, elsewhere it has to be above it.
   Fault motion(const Joints& a, const Joints& b, const Support& support, unsigned swing_on_ground = 0);
+  // Of a posture and of a motion only whether the obstacles are kept clear of: for what was judged without them. `clears` of a
+  // motion is certified, as motion() is.
+  bool clears(const Joints& joints, const Support& support);
+  bool clears(const Joints& a, const Joints& b, const Support& support);
   Balance balance(const Joints& joints, const Support& support);
   const Demands& demands() const;
 

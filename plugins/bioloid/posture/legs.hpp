@@ -77,6 +77,11 @@ FOOTHOLD_INLINE Lanes extent_along(const Legs& legs, const Stand& at, const Alon
          half.z * magnitude(at.roll_cosine * z - at.roll_sine * n.y);
 }
 
+// Of a link's box.
+FOOTHOLD_INLINE Lanes3 centre_of(const Legs& legs, const Stand& at, std::size_t link) {
+  return legs.hip + at.centre[link].x * at.x_axis + at.along_y[link] * at.y_axis + at.centre[link].z * at.z_axis;
+}
+
 // A link's frame in the torso's.
 Isometry3d frame_of(const Legs& legs, const Stand& at, Side side, std::size_t link);
 

@@ -77,24 +77,38 @@ bool Judge::Inside::legs_apart(const Snapshot& a, const Snapshot& b, const Rates
     bend = bends_from_torso(legs, *rates, smaller(all(1.0), sine + 0.5 * (magnitude(rates->yaw) + rates->roll)));
   }
   // How far each leg reaches to its inner side.
+  std::array<Lanes, kLinks> reaches;
   Lanes inner = all(-1e9);
   for (std::size_t k = 0; k < kLinks; ++k) {
-    Lanes most = kInward * centre_along(a.stand, at_a, k) + extent_along(legs, a.stand, at_a, k);
+    reaches[k] = kInward * centre_along(a.stand, at_a, k) + extent_along(legs, a.stand, at_a, k);
     if (rates) {
       const Lanes there = kInward * centre_along(b.stand, at_b, k) + extent_along(legs, b.stand, at_b, k);
-      most = larger(most, there) + (0.125 * length) * bend[k];
+      reaches[k] = larger(reaches[k], there) + (0.125 * length) * bend[k];
     }
-    inner = larger(inner, most);
+    inner = larger(inner, reaches[k]);
   }
   const Upper& u = *a.upper;
   const Lanes arms = kInward * dot(n, u.arm_centre) + magnitude(dot(n, u.arm_axes[0])) + magnitude(dot(n, u.arm_axes[1])) +
                      magnitude(dot(n, u.arm_axes[2]));
   clear_of_far_arms = both_above(-(arms + swapped(inner)), clearance);
   if (length > 0.1 && -(inner[0] + inner[1]) >= clearance) return true;
+  // Link by link: the same direction, then spheres, then boxes.
   if (rates) bend = bends_from_torso(legs, *rates, all(1.0));
+  std::array<Lanes3, kLinks> from, to;
+  for (std::size_t k = 0; k < kLinks; ++k) {
+    from[k] = centre_of(legs, a.stand, k);
+    to[k] = rates ? centre_of(legs, b.stand, k) : from[k];
+  }
   for (std::size_t i = 0; i < kLinks; ++i)
-    for (std::size_t j = 0; j < kLinks; ++j)
-      if (!bodies_apart(a, b, body_of(Side::kRight, i), body_of(Side::kLeft, j), bend[i][0] + bend[j][1])) return false;
+    for (std::size_t j = 0; j < kLinks; ++j) {
+      if (length > 0.1 && -(reaches[i][0] + reaches[j][1]) >= clearance) continue;
+      const double both = bend[i][0] + bend[j][1];
+      const Vector3d first = from[i].at(Side::kRight) - from[j].at(Side::kLeft),
+                     last = to[i].at(Side::kRight) - to[j].at(Side::kLeft);
+      const double least = 0.5 * (first.norm() + last.norm() - (last - first).norm());
+      if (least >= legs.boxes[i].radius[0] + legs.boxes[j].radius[1] + demands.clearance + 0.125 * both) continue;
+      if (!bodies_apart(a, b, body_of(Side::kRight, i), body_of(Side::kLeft, j), both)) return false;
+    }
   return true;
 }
 

@@ -1,4 +1,4 @@
-// What a posture or a motion has to keep against the ground: balance, soles, obstacles; all seen from the support sole's frame.
+// What a posture or a motion has to keep against the ground: balance, soles; all seen from the support sole's frame.
 #include <algorithm>
 #include <cmath>
 
@@ -146,48 +146,6 @@ bool Judge::Inside::above_ground(const Snapshot& a, const Snapshot& b, const Ben
     if (std::abs(slope) >= 0.5 * bend) continue;
     const double t = 0.5 - slope / bend;
     if (!(from[k] + t * slope - 0.5 * t * (1.0 - t) * bend >= floor)) return false;
-  }
-  return true;
-}
-
-bool Judge::Inside::clear_of_obstacles(const Snapshot& a, const Snapshot& b, const Bends* bends) const {
-  if (ground.obstacles.empty()) return true;
-  const auto seen = [&](const Snapshot& at) {
-    Isometry3d out = Isometry3d::Identity();
-    out.linear() = at.sole_turn.transpose();
-    out.translation() = -(out.linear() * at.sole);
-    return out;
-  };
-  const Isometry3d torso_a = seen(a), torso_b = bends ? seen(b) : torso_a;
-  const auto stands_clear = [&](const collision::Box& box_a, const collision::Box& box_b, double bend) {
-    const double needed = demands.clearance + 0.125 * bend;
-    const Vector3d up = Vector3d::UnitZ();
-    if (std::min(least_along(box_a, up), bends ? least_along(box_b, up) : 1e9) >= ground.highest + needed) return true;
-    const Eigen::Vector2d middle = 0.5 * (box_a.pose.translation() + box_b.pose.translation()).head<2>();
-    for (const Ground::Obstacle& obstacle : ground.obstacles) {
-      // Round box and round prism.
-      const Eigen::Vector2d apart = middle - obstacle.circle.centre;
-      const double distance = apart.norm(), sway = 0.5 * (box_a.pose.translation() - box_b.pose.translation()).norm();
-      if (distance - sway - obstacle.circle.radius - box_a.half.norm() >= needed) continue;
-      if (bends ? !clear(obstacle, box_a, box_b, needed) : !clear(obstacle, box_a, demands.clearance)) return false;
-    }
-    return true;
-  };
-  for (const Side side : {Side::kRight, Side::kLeft})
-    for (std::size_t k = 0; k < kLinks; ++k) {
-      const std::size_t body = body_of(side, k);
-      const Isometry3d at_a = torso_a * frame_of(legs, a.stand, side, k),
-                       at_b = bends ? torso_b * frame_of(legs, b.stand, side, k) : at_a;
-      for (const BodyBox& box : model.bodies[body].boxes) {
-        const Eigen::Translation3d centre(box.centre);
-        if (!stands_clear({at_a * centre, box.half}, {at_b * centre, box.half}, bends ? of(bends->from_sole[k], side) : 0.0))
-          return false;
-      }
-    }
-  for (std::size_t i = 0; i < a.upper->parts.size(); ++i) {
-    const collision::Box &box_a = a.upper->parts[i].box, &box_b = b.upper->parts[i].box;
-    if (!stands_clear({torso_a * box_a.pose, box_a.half}, {torso_b * box_b.pose, box_b.half}, bends ? bends->upper : 0.0))
-      return false;
   }
   return true;
 }
