@@ -76,12 +76,12 @@ PlanReport failed_report(const Walk& walk, const Options& options) {
       report.error = PlanError::kSearchLimit;
       if (options.gait.paper) {
         text << "no trial of the method asked for found a way for a lifted foot in " << options.gait.paper->method.iterations
-             << " iterations (rows of footsteps tried: " << walk.routes - 1 << ")";
+             << " iterations (rows of footsteps tried: " << walk.routes << ")";
         report.field = "parameters.method";
         report.hint = "raise iterations or trials; method stochastic needs far fewer than random, optimal none";
         break;
       }
-      text << "none of " << walk.routes - 1 << " rows of footsteps could be walked among the obstacles";
+      text << "none of " << walk.routes << " rows of footsteps could be walked among the obstacles";
       report.hint = "give the robot more room, or lower clearance";
       break;
     default:

@@ -87,11 +87,7 @@ std::vector<Phase> Gait::make_carry(Side support, const PlanarPose& from, const 
   const Departure &begin = departure(support, from, lift), &end = departure(support, to, lift);
   if (!begin.sound() || !end.sound()) return {};
   const Support one = on_one(support);
-  if (options_.paper) {
-    auto way =
-        paper_way(model_, judge_, one, begin.raised, end.raised, options_.pace, *options_.paper, paper_figures_, random, stop);
-    return way ? std::vector<Phase>{std::move(*way)} : std::vector<Phase>{};
-  }
+  if (options_.paper) return paper_carry(judge_, support, {}, from, to, lift, random, stop);
   if (auto line = carry_line(one, begin.raised, end.raised, options_.pace)) return {std::move(*line)};
   std::vector<Phase> out = carry_beside(support, from, to, lift);
   if (!out.empty()) return out;
@@ -112,6 +108,22 @@ std::vector<Phase> Gait::carry_beside(Side support, const PlanarPose& from, cons
        on = carry_line(on_one(support), middle.raised, end.raised, options_.pace);
   if (!there || !on) return {};
   return {std::move(*there), std::move(*on)};
+}
+
+std::vector<Phase> Gait::paper_carry(Judge& judge, Side support, const PlanarPose& sole, const PlanarPose& from,
+                                     const PlanarPose& to, double lift, std::mt19937_64& random, std::stop_token stop) {
+  const Departure &begin = departure(support, from, lift), &end = departure(support, to, lift);
+  if (!begin.sound() || !end.sound()) return {};
+  auto way = paper_way(model_, judge, {.foot = support, .at = to_world(sole)}, begin.raised, end.raised, options_.pace,
+                       *options_.paper, paper_figures_, random, stop);
+  if (!way) return {};
+  way->support = on_one(support);
+  return {std::move(*way)};
+}
+
+bool Gait::may_be_placeable(Side support, const PlanarPose& swing, double lift) const {
+  const auto known = placeable_.find(key_of(support, swing, lift));
+  return known == placeable_.end() || known->second;
 }
 
 bool Gait::placeable(Side support, const PlanarPose& swing, double lift) {

@@ -62,6 +62,12 @@ class Gait {
   // Whether a sole can be put down at a place, and the weight brought over it from there, whatever came before: both departures,
   // and the way to beside the supporting sole, at the lift.
   bool placeable(Side support, const PlanarPose& swing, double lift);
+  // False if that was asked before and found to be none.
+  bool may_be_placeable(Side support, const PlanarPose& swing, double lift) const;
+  // The way of the lifted sole by the paper's method, found and certified by `judge` with the supporting sole at `sole` in the
+  // world: round the judge's obstacles. Not kept. Empty if none. Precondition: GaitOptions::paper.
+  std::vector<Phase> paper_carry(Judge& judge, Side support, const PlanarPose& sole, const PlanarPose& from, const PlanarPose& to,
+                                 double lift, std::mt19937_64& random, std::stop_token stop);
   // With the pieces of `departure` before and after a way of the lifted sole. Empty if a piece fails.
   std::optional<Stride> stride(Side support, const PlanarPose& from, const PlanarPose& to, double lift, std::mt19937_64& random,
                                std::stop_token stop);

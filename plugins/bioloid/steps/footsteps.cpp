@@ -57,18 +57,17 @@ struct Closed {
   Node node;
   PlanarPose base;
   std::int64_t from = -1;
+  bool open = false;  // Acceptance::open
 };
 
 class Search {
  public:
-  Search(const Feet& start, const FootstepGoal& goal, double half, const StepOptions& options,
-         const std::function<bool(Side, const PlanarPose&)>& reaches, const std::function<bool(const Placing&)>& accept)
+  Search(const Feet& start, const FootstepGoal& goal, double half, const StepOptions& options, const Acceptance& acceptance)
       : start_(start),
         goal_(goal),
         half_(half),
         options_(options),
-        reaches_(reaches),
-        accept_(accept),
+        acceptance_(acceptance),
         anchor_(base_of(Side::kRight, start.right, half)) {
     headings_ = static_cast<std::int32_t>(std::lround(2.0 * M_PI / options.heading));
     list_strides();
@@ -77,39 +76,38 @@ class Search {
   // `weight` of the bound; routes of `below` placements or more are not looked for.
   Footsteps run(double weight, std::size_t below, std::size_t most, std::stop_token stop) {
     Footsteps out;
+    if (at_goal(base_of(Side::kRight, start_.right, half_)) && at_goal(base_of(Side::kLeft, start_.left, half_)))
+      return ended(out, Footsteps::End::kFound);
     weight_ = weight;
-    open_ = {};
-    reached_.clear();
-    closed_.clear();
     for (const Side side : {Side::kRight, Side::kLeft})
       push({Node::Kind::kStart, side, 0, 0, 0}, base_of(side, start_.of(side), half_), 0, -1);
     while (!open_.empty()) {
       const Entry at = open_.top();
       if (weight == 1.0) out.least = std::max(out.least, static_cast<std::size_t>(at.total));
       if (out.least >= below) return ended(out, Footsteps::End::kNone);
+      if (stop.stop_requested()) return ended(out, Footsteps::End::kStopped);
       open_.pop();
       Reached& reached = reached_[at.node];
       if (reached.done || (at.from >= 0 && !at.accepted && !accepted(at))) continue;
       reached.done = true;
-      closed_.push_back({at.node, at.base, at.from});
+      closed_.push_back({at.node, at.base, at.from, acceptance_.open(sole_at(at.node.side, at.base, half_))});
       if (at.node.kind == Node::Kind::kDone) {
         out.steps = way();
         return ended(out, Footsteps::End::kFound);
       }
       if (closed_.size() > most) return ended(out, Footsteps::End::kTooMany);
-      if (closed_.size() % 64 == 0 && stop.stop_requested()) return ended(out, Footsteps::End::kStopped);
       expand(at, static_cast<std::int64_t>(closed_.size()) - 1);
     }
     out.least = below;
     return ended(out, Footsteps::End::kNone);
   }
 
+ private:
   bool at_goal(const PlanarPose& base) const {
     return std::hypot(base.x - goal_.base.x, base.y - goal_.base.y) < kSame &&
            (goal_.any_heading || std::abs(wrapped(base.heading - goal_.base.heading)) < kSame);
   }
 
- private:
   Footsteps ended(Footsteps out, Footsteps::End end) const {
     out.end = end;
     out.expanded = closed_.size();
@@ -151,9 +149,8 @@ class Search {
     if (to.done || to.steps <= steps) return;
     if (to.least < 0.0) std::tie(to.least, to.finer) = node.kind == Node::Kind::kDone ? std::pair{0.0, 0.0} : left(base);
     Entry entry{steps, static_cast<double>(steps) + weight_ * to.least, to.finer, from, stride, false, node, base};
-    // A placement whose stride is known to exist is judged at once: then no later one to the same place needs to be kept.
-    if (stride >= 0 && known(entry) == LatticeStride::Known::kReaches) {
-      if (!accepted(entry)) return;
+    // Of a placement that is accepted already no later one to the same place needs to be kept.
+    if (stride >= 0 && known(entry) == LatticeStride::Known::kReaches && closed_[static_cast<std::size_t>(from)].open) {
       entry.accepted = true;
       to.steps = steps;
     }
@@ -199,11 +196,12 @@ class Search {
     const Side support = from.node.side, moves = other(support);
     const PlanarPose sole = sole_at(support, from.base, half_);
     const PlanarPose place = rounded(relative(sole, sole_at(moves, at.base, half_)));
-    if (at.stride < 0) return reaches_(support, place) && accept_({support, sole, place});
+    if (!from.open) return acceptance_.accept({support, sole, place});
+    if (at.stride < 0) return acceptance_.reaches(support, place);
     auto& reaches = known(at);
     using Known = LatticeStride::Known;
-    if (reaches == Known::kNothing) reaches = reaches_(support, place) ? Known::kReaches : Known::kDoesNot;
-    return reaches == Known::kReaches && accept_({support, sole, place});
+    if (reaches == Known::kNothing) reaches = acceptance_.reaches(support, place) ? Known::kReaches : Known::kDoesNot;
+    return reaches == Known::kReaches;
   }
   LatticeStride::Known& known(const Entry& at) {
     const Node& from = closed_[static_cast<std::size_t>(at.from)].node;
@@ -272,8 +270,7 @@ class Search {
   const FootstepGoal& goal_;
   double half_;
   const StepOptions& options_;
-  const std::function<bool(Side, const PlanarPose&)>& reaches_;
-  const std::function<bool(const Placing&)>& accept_;
+  const Acceptance& acceptance_;
   PlanarPose anchor_;
   std::int32_t headings_ = 24;
   double weight_ = 1.0;
@@ -302,21 +299,15 @@ bool within_step(Side support, const PlanarPose& to, const StepOptions& options)
 }
 
 Footsteps find_footsteps(const Feet& start, const FootstepGoal& goal, double half_spacing, const StepOptions& options,
-                         const std::function<bool(Side, const PlanarPose&)>& reaches,
-                         const std::function<bool(const Placing&)>& accept, std::stop_token stop) {
+                         const Acceptance& acceptance, std::stop_token stop) {
   constexpr double kWeight = 1.5;
-  Search search(start, goal, half_spacing, options, reaches, accept);
-  if (search.at_goal(base_of(Side::kRight, start.right, half_spacing)) &&
-      search.at_goal(base_of(Side::kLeft, start.left, half_spacing)))
-    return {.end = Footsteps::End::kFound, .steps = {}};
-  Footsteps found = search.run(kWeight, std::numeric_limits<std::size_t>::max(), options.most_nodes, stop);
-  if (found.end != Footsteps::End::kFound) return found;
-  Footsteps proof = search.run(1.0, found.steps.size(), options.proof_nodes, stop);
-  proof.expanded += found.expanded;
-  if (proof.end == Footsteps::End::kFound || proof.end == Footsteps::End::kStopped) return proof;
-  found.least = std::min(proof.least, found.steps.size());
-  found.expanded = proof.expanded;
-  return found;
+  return Search(start, goal, half_spacing, options, acceptance)
+      .run(kWeight, std::numeric_limits<std::size_t>::max(), options.most_nodes, stop);
+}
+
+Footsteps least_footsteps(const Feet& start, const FootstepGoal& goal, double half_spacing, const StepOptions& options,
+                          std::size_t below, std::size_t most, const Acceptance& acceptance, std::stop_token stop) {
+  return Search(start, goal, half_spacing, options, acceptance).run(1.0, below, most, stop);
 }
 
 }  // namespace foothold::bioloid

@@ -5,7 +5,7 @@
 // supporting foot); start and goal lie where they are, exactly. A placement may move the base point, seen from the standing foot's,
 // within half ellipses of `length` and `width`, and turn it by multiples of the lattice's heading up to `turn`.
 //
-// Weighted A* finds a good route fast (Pohl, 1970), then A* proves it least among all on the lattice that `accept` lets through, or
+// Weighted A* finds a good route fast (Pohl, 1970); A* proves it least among all on the lattice whose placements are accepted, or
 // finds a better one. Its bound lets every placement go as far towards the goal as the heading allows that the robot can have
 // turned to by then, and can still turn back from; one placement more closes the feet.
 //
@@ -62,15 +62,27 @@ struct Footsteps {
   enum class End { kFound, kNone, kTooMany, kStopped };
   End end = End::kNone;
   std::vector<Footstep> steps;
-  std::size_t least = 0;     // proved: no route of the lattice has fewer placements
+  std::size_t least = 0;     // proved (least_footsteps): no route of the lattice has fewer placements
   std::size_t expanded = 0;  // nodes
 };
 
-// `half_spacing`: of the hips. `accept` is asked once for each placement that the search comes to, in any order; before that
-// `reaches`, which knows no place: the foot that stands and the other's place seen from it.
+// What a search asks of placements; each may ask as many times as it likes.
+struct Acceptance {
+  // Whether nothing but `reaches` is asked of the placements from where this sole stands. Cheap: asked of every placement seen.
+  std::function<bool(const PlanarPose&)> open;
+  // Knows no place: the foot that stands and the other's place seen from it. Asked once for each on the lattice.
+  std::function<bool(Side, const PlanarPose&)> reaches;
+  // Everything, of those that are not open. Asked when a placement is taken.
+  std::function<bool(const Placing&)> accept;
+};
+
+// A good route. `half_spacing`: of the hips.
 Footsteps find_footsteps(const Feet& start, const FootstepGoal& goal, double half_spacing, const StepOptions& options,
-                         const std::function<bool(Side, const PlanarPose&)>& reaches,
-                         const std::function<bool(const Placing&)>& accept, std::stop_token stop = {});
+                         const Acceptance& acceptance, std::stop_token stop = {});
+// The least route of fewer than `below` placements: kFound. Else kNone, with `least` = `below`: there is none; or kTooMany after
+// `most` nodes, with what was proved by then.
+Footsteps least_footsteps(const Feet& start, const FootstepGoal& goal, double half_spacing, const StepOptions& options,
+                          std::size_t below, std::size_t most, const Acceptance& acceptance, std::stop_token stop = {});
 
 // Base point of a sole, and the sole at a base point.
 PlanarPose base_of(Side side, const PlanarPose& sole, double half_spacing);
