@@ -23,7 +23,7 @@ constexpr std::array<const char*, 8> kNames = {"LOAD", "PLAN", "STOP", "READY", 
 // More room than one frame needs lets one read take many small frames.
 constexpr std::size_t kLeastRoom = 4096;
 // A frame's length is a promise: beyond this, room is made as octets arrive.
-constexpr std::size_t kTrusted = 64u << 10;
+constexpr std::size_t kTrusted = 16u << 10;
 // One huge step shall not cost its memory for ever.
 constexpr std::size_t kKeptBuffer = 1u << 20;
 

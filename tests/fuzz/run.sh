@@ -54,7 +54,8 @@ for target; do
   fi
   # Longer inputs make each run slow and find no more; what is read as octets has its seeds' length.
   case $target in
-    client_messages|server_messages|worker_frames|journal_*|bundle|mesh|urdf|credentials) longest=4096 ;;
+    client_messages|server_messages|worker_frames|journal_*|bundle|mesh|credentials) longest=4096 ;;
+    urdf) longest=6144 ;;
     *) longest=768 ;;
   esac
   set -- "$@" "$corpus" "$seeds/$target"
