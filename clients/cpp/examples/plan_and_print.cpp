@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
   request.robot("xrobin");
   request.goal().base({goal});
   request.goal().any_orientation(true);
-  request.budget(2.0);
+  request.budget(20.0);  // s, of which a planner's first request takes some to make its tables
 
   foothold::client::Plan plan = client.submit(request);
   for (const msg::Step& step : plan) {  // each as soon as it is there, in order, without gaps
