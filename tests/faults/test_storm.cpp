@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 
 #include "audit.hpp"
 #include "choices.hpp"
@@ -103,7 +104,7 @@ void weather(StormOptions options) {
   std::cout << "begun again after a server was killed before it had stored their receipt: " << again << "\n";
   expect_none(storm.observer().complaints());
   Judge judge(FOOTHOLD_PLUGINS, FOOTHOLD_CONFIG_DIR "/robots", storm.scenes());
-  const Audit found = audit(storm.journal(), noted, storm.observer().final_states(), judge, long_form() ? 1000 : 100);
+  const Audit found = audit(storm.journal(), noted, storm.observer().final_states(), judge, long_form() ? std::numeric_limits<std::size_t>::max() : 100);
   expect_none(found.complaints);
   std::printf(
       "\njournal: %zu requests, %zu steps, %zu plans judged once more; heard on the network: %zu final states, %llu events, %llu "
