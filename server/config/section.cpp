@@ -39,10 +39,14 @@ Section::Section(Faults& faults, std::string file, const YAML::Node& node, std::
     : faults_(faults), file_(std::move(file)), path_(std::move(path)) {
   if (!node.IsDefined() || node.IsNull()) return;
   broken_ = !node.IsMap();
-  if (broken_)
+  if (broken_) {
     fault_at(node, path_, "must be a map (" + shown(node) + ")");
-  else
-    node_.reset(node);
+    return;
+  }
+  node_.reset(node);
+  // Once: each look at a map of yaml-cpp's makes its entries anew.
+  for (const auto& entry : node_)
+    if (entry.first.IsScalar()) entries_.emplace_back(entry.first.Scalar(), entry.second);
 }
 
 void Section::fault_at(const YAML::Node& node, const std::string& field, const std::string& reason) {
@@ -56,15 +60,12 @@ void Section::fault(const std::string& key, const std::string& reason) {
 
 YAML::Node Section::find(const std::string& key) {
   if (std::ranges::find(known_, key) == known_.end()) known_.push_back(key);
-  if (!node_.IsMap()) return YAML::Node(YAML::NodeType::Undefined);
-  for (const auto& entry : node_)
-    if (entry.first.IsScalar() && entry.first.Scalar() == key) return entry.second;
-  return YAML::Node(YAML::NodeType::Undefined);
+  const auto found = std::ranges::find(entries_, key, &std::pair<std::string, YAML::Node>::first);
+  return found == entries_.end() ? YAML::Node(YAML::NodeType::Undefined) : found->second;
 }
 
 bool Section::has(const std::string& key) const {
-  if (!node_.IsMap()) return false;
-  return std::any_of(node_.begin(), node_.end(), [&](const auto& e) { return e.first.IsScalar() && e.first.Scalar() == key; });
+  return std::ranges::find(entries_, key, &std::pair<std::string, YAML::Node>::first) != entries_.end();
 }
 
 void Section::require(const std::string& key) {

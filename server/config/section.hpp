@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/faults.hpp"
@@ -59,7 +60,8 @@ class Section {
   Faults& faults_;
   std::string file_;
   YAML::Node node_;
-  bool broken_ = false;  // it is there, but no map
+  std::vector<std::pair<std::string, YAML::Node>> entries_;  // those with words for keys, in order
+  bool broken_ = false;                                      // it is there, but no map
   std::string path_;
   std::vector<std::string> known_;
 };
