@@ -20,8 +20,9 @@ struct Unit {
   double factor;
 };
 
-// Far beyond any robot: an alias may make a small file endless.
+// Far beyond any robot: aliases may make a small file endless.
 constexpr int kDeepest = 16;
+constexpr std::size_t kMostEntries = 50000;
 constexpr std::size_t kMostQuantities = 10000;
 
 constexpr std::uintmax_t kLongestText = 4 << 20;  // octets
@@ -50,8 +51,14 @@ class ModelReader {
     throw FileError(file_, node.Mark().line + 1, path.empty() ? "model" : "model." + path, reason);
   }
 
+  void count(const YAML::Node& node, const std::string& path) {
+    if (++entries_ > kMostEntries)
+      fail(node, path, "there are more than " + std::to_string(kMostEntries) + " entries and numbers, aliases counted");
+  }
+
   void walk(const YAML::Node& node, const std::string& path, int depth) {
     if (depth > kDeepest) fail(node, path, "is nested deeper than " + std::to_string(kDeepest) + " levels");
+    count(node, path);
     if (path == "urdf") {
       if (!texts_.emplace(path, named_file(node, path)).second) fail(node, path, "is given twice");
       return;
@@ -83,7 +90,7 @@ class ModelReader {
     return text;
   }
 
-  Quantity leaf(const YAML::Node& node, const std::string& path) const {
+  Quantity leaf(const YAML::Node& node, const std::string& path) {
     std::set<std::string> seen;
     for (const auto& entry : node) {
       const auto key = entry.first.as<std::string>();
@@ -95,7 +102,10 @@ class ModelReader {
     Quantity quantity{.values = {}, .unit = unit.si, .source = source_of(node, path)};
     const YAML::Node value = node["value"];
     if (value.IsSequence()) {
-      for (const auto& element : value) quantity.values.push_back(unit.factor * number(element, path));
+      for (const auto& element : value) {
+        count(element, path);
+        quantity.values.push_back(unit.factor * number(element, path));
+      }
       if (quantity.values.empty()) fail(value, path + ".value", "must hold one number at least");
     } else {
       quantity.values.push_back(unit.factor * number(value, path));
@@ -131,6 +141,7 @@ class ModelReader {
   }
 
   const std::string& file_;
+  std::size_t entries_ = 0;
   std::map<std::string, Quantity, std::less<>> quantities_;
   std::map<std::string, std::string, std::less<>> texts_;
 };
