@@ -58,13 +58,13 @@ for target; do
     urdf) longest=6144 ;;
     *) longest=768 ;;
   esac
-  set -- "$@" "$corpus" "$seeds/$target"
-  [ ! -d "$past" ] || set -- "$@" "$past"
+  folders="$corpus $seeds/$target"
+  [ ! -d "$past" ] || folders="$folders $past"
   log=$fuzz/findings/$target.log
   result=clean
   # Malloc of what a length field promises is refused by bad_alloc, not by the fuzzer's own limit.
   $prefix "$fuzz/bin/fuzz_$target" -max_len=$longest -timeout=$patience -rss_limit_mb=3000 -malloc_limit_mb=0 -print_final_stats=1 \
-      -artifact_prefix="$fuzz/findings/$target-" "$@" >"$log" 2>&1 || case $? in
+      -artifact_prefix="$fuzz/findings/$target-" "$@" $folders >"$log" 2>&1 || case $? in
     72) result=interrupted ;;
     *) result="FOUND, see $log" status=1 ;;
   esac
@@ -74,7 +74,7 @@ for target; do
   echo "$in_all" >"$fuzz/runs/$target"
   if [ "$wanted" -gt 0 ] && [ "$result" = clean ]; then
     $prefix "$fuzz/bin/fuzz_$target" -runs=0 -max_len=$longest -timeout=$patience -rss_limit_mb=3000 -malloc_limit_mb=0 \
-        -artifact_prefix="$fuzz/findings/$target-" "$corpus" >"$log.leaks" 2>&1 || { result="FOUND, see $log.leaks"; status=1; }
+        -artifact_prefix="$fuzz/findings/$target-" $folders >"$log.leaks" 2>&1 || { result="FOUND, see $log.leaks"; status=1; }
   fi
   row "${runs:-0}" "$in_all" "${rate:-0}" "$result"
 done
