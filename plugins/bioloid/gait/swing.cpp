@@ -1,7 +1,10 @@
-// Lines of the nine free joints, and the two trees that find a way where a line does not.
+// Lines of the nine free joints, lines over what is in their way, and the two trees that find a way where these do not.
 #include "bioloid/gait/swing.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
+#include <set>
 
 namespace foothold::bioloid {
 namespace {
@@ -49,13 +52,60 @@ Range range_of(const Model& model, Side support, const Free& a, const Free& b) {
   return out;
 }
 
+// Shortcuts between nodes drawn at random; none is tried twice, and none where the way is nearly straight already.
 void shorten(const Model& model, Judge& judge, const Support& support, std::vector<Free>& way, int tries, std::mt19937_64& random) {
-  for (; tries > 0 && way.size() > 2; --tries) {
+  constexpr double kNearlyStraight = 1.05;
+  const auto length = [&](std::size_t i, std::size_t j) {
+    double sum = 0.0;
+    for (; i < j; ++i) sum += (way[i + 1] - way[i]).norm();
+    return sum;
+  };
+  std::vector<std::size_t> names(way.size());
+  std::iota(names.begin(), names.end(), std::size_t{0});
+  std::set<std::pair<std::size_t, std::size_t>> tried;
+  for (; tries > 0 && way.size() > 2 && length(0, way.size() - 1) > kNearlyStraight * (way.back() - way.front()).norm(); --tries) {
     const std::size_t i = std::uniform_int_distribution<std::size_t>(0, way.size() - 3)(random);
     const std::size_t j = std::uniform_int_distribution<std::size_t>(i + 2, way.size() - 1)(random);
-    if (free_line(model, judge, support, way[i], way[j], 0))
-      way.erase(way.begin() + static_cast<std::ptrdiff_t>(i) + 1, way.begin() + static_cast<std::ptrdiff_t>(j));
+    if (!tried.emplace(names[i], names[j]).second || !free_line(model, judge, support, way[i], way[j], 0)) continue;
+    const auto cut = [&](auto& row) {
+      row.erase(row.begin() + static_cast<std::ptrdiff_t>(i) + 1, row.begin() + static_cast<std::ptrdiff_t>(j));
+    };
+    cut(way);
+    cut(names);
   }
+}
+
+double height_of(const Model& model, Side support, const Free& at) {
+  Joints joints;
+  if (!from_free(model, support, at, joints)) return HUGE_VAL;
+  return (sole_in_torso(model, support, joints).inverse() * sole_in_torso(model, other(support), joints)).translation().z();
+}
+
+// With the swing sole at `height`, all else as it is. Empty if the leg does not reach.
+std::optional<Free> at_height(const Model& model, Side support, const Free& at, double height) {
+  Joints joints;
+  if (!from_free(model, support, at, joints)) return std::nullopt;
+  const Isometry3d stands = sole_in_torso(model, support, joints);
+  Isometry3d sole = stands.inverse() * sole_in_torso(model, other(support), joints);
+  sole.translation().z() = height;
+  if (!reach(model, other(support), stands * sole, joints)) return std::nullopt;
+  return to_free(model, support, joints);
+}
+
+// Straight up at both ends and level across, as high as need be: over what stands in the way of the line, which sags in the middle,
+// where the leg is straightest. Empty if that is not free.
+std::vector<Free> over(const Model& model, Judge& judge, const Support& support, const Free& a, const Free& b) {
+  const auto is_free = [&](const Free& p, const Free& q) { return free_line(model, judge, support, p, q, 0); };
+  const double from = height_of(model, support.foot, a), to = height_of(model, support.foot, b);
+  for (const double rise : {0.0, 0.004, 0.008, 0.012, 0.016, 0.024}) {
+    const auto up = at_height(model, support.foot, a, from + rise), down = at_height(model, support.foot, b, to + rise),
+               middle = at_height(model, support.foot, 0.5 * (a + b), 0.5 * (from + to) + rise);
+    if (!up || !down || !middle) return {};
+    if (!is_free(*up, *middle) || !is_free(*middle, *down)) continue;
+    if (rise == 0.0) return {a, *middle, b};
+    if (is_free(a, *up) && is_free(*down, b)) return {a, *up, *middle, *down, b};
+  }
+  return {};
 }
 
 }  // namespace
@@ -77,13 +127,22 @@ JointPath swing_line(const Model& model, Side support, const Free& a, const Free
 bool free_line(const Model& model, Judge& judge, const Support& support, const Free& a, const Free& b, unsigned ground,
                double grain) {
   const int pieces = std::max(1, static_cast<int>(std::ceil((b - a).cwiseAbs().maxCoeff() / grain)));
-  Joints last, next;
-  if (!from_free(model, support.foot, a, last)) return false;
-  for (int k = 1; k <= pieces; ++k) {
+  const auto posture = [&](int k, Joints& joints) {
     const Free at = k == pieces ? b : Free(a + (b - a) * (static_cast<double>(k) / pieces));
-    if (!from_free(model, support.foot, at, next)) return false;
-    const unsigned ends = (k == 1 ? ground & 1U : 0U) | (k == pieces ? ground & 2U : 0U);
-    if (judge.motion(last, next, support, ends) != Fault::kNone) return false;
+    return from_free(model, support.foot, at, joints);
+  };
+  const auto is_free = [&](int k, const Joints& from, const Joints& to) {
+    const unsigned ends = (k == 0 ? ground & 1U : 0U) | (k + 1 == pieces ? ground & 2U : 0U);
+    return judge.motion(from, to, support, ends) == Fault::kNone;
+  };
+  // The piece in the middle first: what is in the way stands there as a rule.
+  const int first = pieces / 2;
+  Joints last, next;
+  if (!posture(first, last) || !posture(first + 1, next) || !is_free(first, last, next)) return false;
+  if (!posture(0, last)) return false;
+  for (int k = 0; k < pieces; ++k) {
+    if (!posture(k + 1, next)) return false;
+    if (k != first && !is_free(k, last, next)) return false;
     last = next;
   }
   return true;
@@ -92,6 +151,7 @@ bool free_line(const Model& model, Judge& judge, const Support& support, const F
 std::vector<Free> connect(const Model& model, Judge& judge, const Support& support, const Free& a, const Free& b,
                           const SearchOptions& options, std::mt19937_64& random, std::stop_token stop) {
   if (free_line(model, judge, support, a, b, 0)) return {a, b};
+  if (std::vector<Free> way = over(model, judge, support, a, b); !way.empty()) return way;
   const Range range = range_of(model, support.foot, a, b);
   Tree trees[2];
   trees[0].add(a, -1);
@@ -105,7 +165,10 @@ std::vector<Free> connect(const Model& model, Judge& judge, const Support& suppo
     return free_line(model, judge, support, from, next, 0) ? tree.add(next, near) : -1;
   };
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  for (int side = 0; static_cast<int>(trees[0].nodes.size() + trees[1].nodes.size()) < options.most_nodes; side ^= 1) {
+  const auto may_grow = [&](int tries) {
+    return tries < options.most_tries && static_cast<int>(trees[0].nodes.size() + trees[1].nodes.size()) < options.most_nodes;
+  };
+  for (int tries = 0, side = 0; may_grow(tries); ++tries, side ^= 1) {
     if (stop.stop_requested()) return {};
     Free sample;
     // Near the straight line first: a single support is a short way through a narrow set.

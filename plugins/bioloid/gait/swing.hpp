@@ -30,6 +30,7 @@ bool free_line(const Model& model, Judge& judge, const Support& support, const F
 
 struct SearchOptions {
   int most_nodes = 4000;  // of both trees
+  int most_tries = 8000;  // to make them grow
   double reach = 0.3;     // rad, of one extension at most
   int shortening = 60;    // random shortcuts tried
 };

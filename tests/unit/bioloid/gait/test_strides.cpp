@@ -125,6 +125,43 @@ TEST(Search, JoinsWhatCanBeJoined) {
   for (std::size_t k = 1; k < way.size(); ++k) EXPECT_TRUE(free_line(model(), gait.judge(), support, way[k - 1], way[k], 0)) << k;
 }
 
+// A way of the right foot's swing partner from 50 mm behind to 50 mm ahead, certified line by line among the prisms.
+std::vector<Free> way_among(const std::vector<Prism>& prisms, double out, double lift) {
+  Judge judge(model(), {}, prisms);
+  const Support support{.foot = Side::kRight};
+  const auto key = [&](double x) {
+    return to_free(model(), Side::kRight,
+                   key_posture(model(), Side::kRight, {.swing = ahead(x, out), .lift = lift, .height = 0.12})->joints);
+  };
+  const Free a = key(-0.06), b = key(0.06);
+  std::mt19937_64 random(3);
+  EXPECT_FALSE(free_line(model(), judge, support, a, b, 0)) << "something is in the way";
+  std::vector<Free> way = connect(model(), judge, support, a, b, {}, random, {});
+  if (way.empty()) return way;
+  EXPECT_EQ(way.front(), a);
+  EXPECT_EQ(way.back(), b);
+  for (std::size_t k = 1; k < way.size(); ++k) EXPECT_TRUE(free_line(model(), judge, support, way[k - 1], way[k], 0)) << k;
+  return way;
+}
+
+TEST(Search, GoesOverASill) {
+  const std::vector<Prism> sill{{"sill", {{-0.001, 0.04}, {0.001, 0.04}, {0.001, 0.15}, {-0.001, 0.15}}, 0.014}};
+  const std::vector<Free> way = way_among(sill, 0.0, 0.010);
+  EXPECT_EQ(way.size(), 5u) << "up, level across its middle, down";
+}
+
+TEST(Search, GoesRoundWhatIsTooHighToGoOver) {
+  // The foot stands out to 25 mm beyond its place beside the other; a post there has to be passed on the inside.
+  const std::vector<Prism> post{{"post", {{-0.002, 0.125}, {0.002, 0.125}, {0.002, 0.16}, {-0.002, 0.16}}, 0.06}};
+  EXPECT_GE(way_among(post, 0.025, 0.020).size(), 3u);
+}
+
+TEST(Search, EndsWhereNoTreeCanGrow) {
+  // Both ends lie in what is in the way.
+  const std::vector<Prism> block{{"block", {{-0.2, 0.04}, {0.2, 0.04}, {0.2, 0.15}, {-0.2, 0.15}}, 0.03}};
+  EXPECT_TRUE(way_among(block, 0.0, 0.010).empty());
+}
+
 TEST(Rising, TakesTheWalkingPostureFromTheZeroPose) {
   Gait gait(model(), {});
   const Joints zero = Joints::Zero();
