@@ -223,6 +223,25 @@ TEST_P(Kills, AHaltedClientHoldsUpNobodyAndRepairsItself) {
   EXPECT_EQ(daemon.stop(), 0);
 }
 
+// Longer than a second or three, as on a starved machine: the two ends find each other as they were.
+TEST_P(Kills, HaltsOfSecondsEndWithEveryPlanWhole) {
+  Daemon daemon(options_);
+  Wire wire(GetParam().client, options_.domain);
+  ASSERT_TRUE(wire.connect("good"));
+  std::vector<std::unique_ptr<Child>> clients;
+  for (int i = 0; i < 6; ++i) clients.push_back(std::make_unique<Child>(lone_client(msg::random_id(), 400, 0.0025)));
+  std::this_thread::sleep_for(2s);
+  daemon.signal(SIGSTOP);
+  std::this_thread::sleep_for(5s);
+  daemon.signal(SIGCONT);
+  std::this_thread::sleep_for(1s);
+  for (const auto& client : clients) client->signal(SIGSTOP);
+  std::this_thread::sleep_for(5s);
+  for (const auto& client : clients) client->signal(SIGCONT);
+  for (const auto& client : clients) EXPECT_EQ(client->wait(15.0), static_cast<int>(msg::SUCCEEDED));
+  EXPECT_EQ(daemon.stop(), 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Pairs, Kills, testing::ValuesIn(kVendorPairs), pair_name);
 
 }  // namespace

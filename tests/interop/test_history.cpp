@@ -67,7 +67,7 @@ TEST_P(HistoryOfPair, IsFullWhileAReaderLagsAndLosesNothing) {
   const auto writer = bus->writer(Topic::kStep, "p");
   ASSERT_TRUE(reader.wait_number(Kind::kMatched, 1));
   ASSERT_TRUE(eventually([&] { return writer->matched() == 1; }));
-  // The reader's process stands still, for less than its lease of 3 s.
+  // The reader's process stands still, for less than its lease.
   kill(reader.pid(), SIGSTOP);
   std::uint32_t sent = 0;
   Writer::Result result = Writer::Result::kSent;

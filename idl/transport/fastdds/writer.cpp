@@ -42,7 +42,9 @@ class FastWriter final : public Writer {
 
   Result write(std::span<const std::byte> message) override {
     if (const char* fault = fault_of(topic_, message)) return failed(describe(topic_, message, fault));
-    if ((window_samples_ >= kWindowSamples || window_octets_ >= kWindowOctets) && !all_acknowledged()) return Result::kFull;
+    const bool replaces = topic_.keep_last_one;  // what is not acknowledged: nothing piles up, and nobody holds up the others
+    if (!replaces && (window_samples_ >= kWindowSamples || window_octets_ >= kWindowOctets) && !all_acknowledged())
+      return Result::kFull;
     BytesSample sample{message, {}};
     const ReturnCode_t code = writer_->write(&sample, dds::HANDLE_NIL);
     if (code == ReturnCode_t::RETCODE_OK) {

@@ -23,15 +23,16 @@ struct TopicTraits {
 
 // Reliable and transient local, every one: two ends do not find each other at the same moment, and what a volatile writer sends to
 // a reader that it has found already, but that has not found the writer yet, is lost (Fast DDS to Cyclone DDS: up to a second's
-// worth). What clients send lives 10 s, so that a server that is started later is not told of old requests. Older answers are asked
-// for by a query, so a thousand for each client are enough.
+// worth). What clients send lives seconds, so that a server that is started later is not told of old requests, and one that was
+// killed does not hold up the writers to the others for its lease. Older answers are asked for by a query, so a thousand for each
+// client are enough.
 inline constexpr TopicTraits kTopics[kTopicCount] = {
-    {Topic::kRequest, "foothold/request", "foothold::msg::PlanRequest", false, false, 1024, 10, false},
+    {Topic::kRequest, "foothold/request", "foothold::msg::PlanRequest", false, false, 1024, 4, false},
     {Topic::kCancel, "foothold/cancel", "foothold::msg::CancelRequest", false, false, 1024, 10, false},
-    {Topic::kQuery, "foothold/query", "foothold::msg::StateQuery", false, false, 1024, 10, false},
+    {Topic::kQuery, "foothold/query", "foothold::msg::StateQuery", false, false, 1024, 4, false},
     {Topic::kEvent, "foothold/event", "foothold::msg::PlanEvent", false, false, 1024, 0, false},
     {Topic::kStep, "foothold/step", "foothold::msg::Step", false, false, 1024, 0, false},
-    {Topic::kScene, "foothold/scene", "foothold::msg::SceneChunk", false, false, 64, 10, false},
+    {Topic::kScene, "foothold/scene", "foothold::msg::SceneChunk", false, false, 64, 4, false},
     {Topic::kSceneStatus, "foothold/scene_status", "foothold::msg::SceneStatus", false, false, 4096, 0, false},
     {Topic::kRobot, "foothold/robot", "foothold::msg::RobotInfo", true, true, 256, 0, false},
     {Topic::kServer, "foothold/server", "foothold::msg::ServerInfo", true, true, 64, 0, true},
