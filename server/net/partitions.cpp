@@ -2,6 +2,7 @@
 #include "net/partitions.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace foothold::server {
 
@@ -18,8 +19,9 @@ Partitions::Partition* Partitions::use(const Id& client) {
     found->second.last_used = now;
     return &found->second;
   }
-  if (partitions_.size() >= kMost) {
-    hooks_.complain("client " + msg::to_hex(client) + " gets no answer: " + std::to_string(kMost) + " partitions are open already");
+  if (partitions_.size() >= kMost && !make_room()) {
+    hooks_.complain("client " + msg::to_hex(client) + " gets no answer: " + std::to_string(kMost) +
+                    " partitions are open already, and each has something unfinished");
     return nullptr;
   }
   try {
@@ -30,6 +32,23 @@ Partitions::Partition* Partitions::use(const Id& client) {
     hooks_.complain("client " + msg::to_hex(client) + " gets no answer: " + error.what());
     return nullptr;
   }
+}
+
+bool Partitions::may_close(const Id& client, const Partition& partition) const {
+  return !partition.events.waits() && !partition.steps.waits() && !hooks_.busy(client);
+}
+
+// Closes the one that has been quiet the longest.
+bool Partitions::make_room() {
+  std::vector<std::pair<Time, Id>> by_use;
+  for (const auto& [client, partition] : partitions_) by_use.emplace_back(partition.last_used, client);
+  std::ranges::sort(by_use);
+  for (const auto& [time, client] : by_use) {
+    if (!may_close(client, partitions_.at(client))) continue;
+    partitions_.erase(client);
+    return true;
+  }
+  return false;
 }
 
 void Partitions::event(const Id& client, const msg::PlanEvent& event) {
@@ -82,8 +101,10 @@ void Partitions::sweep() {
     auto& [client, partition] = *entry;
     tell_left_out(client, partition.events, "events");
     tell_left_out(client, partition.steps, "steps");
-    const bool quiet = now - partition.last_used >= kQuiet && !partition.events.waits() && !partition.steps.waits();
-    entry = quiet && !hooks_.busy(client) ? partitions_.erase(entry) : std::next(entry);
+    const auto unused = now - partition.last_used;
+    const bool read = partition.events.writer().matched() > 0 || partition.steps.writer().matched() > 0;
+    const bool over = unused >= kQuiet || (unused >= kUnread && !read);
+    entry = over && may_close(client, partition) ? partitions_.erase(entry) : std::next(entry);
   }
 }
 

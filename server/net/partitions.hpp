@@ -1,5 +1,5 @@
 // The ways to the clients: a pair of writers (events, steps) in each client's partition, opened by its first message, closed when
-// it has been quiet for long and has nothing unfinished (idl/PROTOCOL.md P1).
+// it has been quiet for long, or is read by nobody, and has nothing unfinished (idl/PROTOCOL.md P1).
 #pragma once
 
 #include <functional>
@@ -14,7 +14,8 @@ namespace foothold::server {
 class Partitions final : public Outbox {
  public:
   static constexpr auto kQuiet = std::chrono::minutes(5);
-  static constexpr std::size_t kMost = 1000;  // partitions open at the same time
+  static constexpr auto kUnread = std::chrono::seconds(30);  // the same, if nobody reads it any more
+  static constexpr std::size_t kMost = 1000;                 // open at the same time; the quietest makes room for another
 
   struct Hooks {
     std::function<bool(const Id&)> busy;               // has this client something unfinished?
@@ -49,6 +50,8 @@ class Partitions final : public Outbox {
   };
 
   Partition* use(const Id& client);
+  bool may_close(const Id& client, const Partition& partition) const;
+  bool make_room();
   void send(Channel& channel, std::span<const std::byte> message);
   void tell_left_out(const Id& client, Channel& channel, const char* what);
 

@@ -60,8 +60,53 @@ TEST_F(PartitionsTest, P1EachClientHearsItsOwnPartitionAndAnObserverAll) {
   EXPECT_EQ(all.count(), 3U);
 }
 
+TEST_F(PartitionsTest, P1APartitionThatNobodyReadsClosesSooner) {
+  Received received;
+  auto reader = client_->reader(Topic::kStep, msg::to_hex(World::kClient), received.events());
+  for (const Id& client : {World::kClient, World::kOther}) partitions_.open(client);
+  ASSERT_TRUE(network_.settle());
+  clock_.advance(29);
+  partitions_.sweep();
+  EXPECT_EQ(partitions_.size(), 2U) << "its reader may be on its way";
+  clock_.advance(2);
+  partitions_.sweep();
+  EXPECT_EQ(partitions_.size(), 1U);
+  reader.reset();
+  busy_ = true;
+  partitions_.sweep();
+  EXPECT_EQ(partitions_.size(), 1U);
+  busy_ = false;
+  partitions_.sweep();
+  EXPECT_EQ(partitions_.size(), 0U);
+}
+
+TEST_F(PartitionsTest, P1TheQuietestMakesRoomForAnother) {
+  const auto client = [](std::size_t i) { return msg::id_of("client " + std::to_string(i)); };
+  Received first, last;
+  const auto r1 = client_->reader(Topic::kEvent, msg::to_hex(client(0)), first.events());
+  const auto r2 = client_->reader(Topic::kEvent, msg::to_hex(client(Partitions::kMost)), last.events());
+  for (std::size_t i = 0; i < Partitions::kMost; ++i) {
+    partitions_.open(client(i));
+    clock_.advance(0.001);
+  }
+  partitions_.event(client(0), {});  // not the quietest any more
+  busy_ = true;
+  partitions_.event(client(Partitions::kMost), {});
+  EXPECT_EQ(complaints_.size(), 1U);
+  busy_ = false;
+  partitions_.event(client(Partitions::kMost), {});
+  EXPECT_EQ(partitions_.size(), Partitions::kMost);
+  partitions_.event(client(0), {});
+  ASSERT_TRUE(network_.settle());
+  EXPECT_EQ(first.count(), 2U);
+  EXPECT_EQ(last.count(), 1U);
+  EXPECT_EQ(complaints_.size(), 1U);
+}
+
 TEST_F(PartitionsTest, P1AQuietPartitionClosesUnlessItsClientIsBusy) {
+  const auto reader = client_->reader(Topic::kEvent, msg::to_hex(World::kClient), {.on_message = [](auto) {}});
   partitions_.open(World::kClient);
+  ASSERT_TRUE(network_.settle());
   busy_ = true;
   clock_.advance(301);
   partitions_.sweep();
