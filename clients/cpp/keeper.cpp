@@ -78,7 +78,7 @@ void Client::Impl::look_at_servers(Clock::time_point now) {
     const msg::Id server = plan->server();
     const auto seen = std::ranges::find(servers, server, [](const ServerSeen& s) { return s.info.key(); });
     if (seen == servers.end()) continue;
-    if (plan->set_server_lost(!seen->alive, now)) delivery_.post(plan);
+    if (plan->set_server_lost(server, !seen->alive, now)) delivery_.post(plan);
     if (plan->wants_another()) after(plan, false);
   }
   for (const ServerSeen& server : servers) {

@@ -116,6 +116,8 @@ bool PlanState::move(const msg::Id& server, Time now) {
   {
     const std::lock_guard lock(mutex_);
     if (has_ended() || !may_move() || !(refusal_ || lost_)) return false;
+    // Another thread has moved it since this server was chosen.
+    if (server == server_ || std::ranges::find(left_, server) != left_.end()) return false;
     left_.push_back(server_);
     server_ = server;
     request_.server(server);

@@ -129,10 +129,10 @@ void PlanState::accept_unknown(const msg::PlanEvent& event, std::span<const msg:
   state_ = msg::UNKNOWN;
 }
 
-bool PlanState::set_server_lost(bool lost, Time now) {
+bool PlanState::set_server_lost(const msg::Id& server, bool lost, Time now) {
   {
     const std::lock_guard lock(mutex_);
-    if (has_ended() || lost_ == lost) return false;
+    if (has_ended() || server != server_ || lost_ == lost) return false;
     lost_ = lost;
     untold_.push_back({std::nullopt, lost});
     next_due_ = now;
@@ -199,6 +199,7 @@ bool PlanState::unsent() const {
 
 void PlanState::choose(const msg::Id& server, const std::string& revision) {
   const std::lock_guard lock(mutex_);
+  if (request_.server() != msg::kNoId) return;
   revision_ = revision;
   request_.server(server);
   server_ = server;

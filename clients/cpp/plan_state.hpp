@@ -30,7 +30,7 @@ class PlanState {
   bool accept(msg::Step step, Time now);
   // `alive`: the servers that could know the request.
   bool accept(const msg::PlanEvent& event, std::span<const msg::Id> alive, Time now);
-  bool set_server_lost(bool lost, Time now);
+  bool set_server_lost(const msg::Id& server, bool lost, Time now);
 
   // ---- another server instead (P34 to P38)
   // True if this plan's server is lost, or has ended it for a reason that another may not have: then, in whatever order,
@@ -50,6 +50,7 @@ class PlanState {
   void wait_for_news(Time now);
   bool unsent() const;  // kept until a server is known
   // Before the first kSend. `revision`: of its scene, as far as known, in case another server has to plan the same.
+  // The first choice stays: the caller's thread and the keeper may choose at the same time.
   void choose(const msg::Id& server, const std::string& revision = {});
   msg::StateQuery question(const msg::Id& client) const;
   // What was cancelled and has not ended: sent again with every question, for a server that was away the first time.
