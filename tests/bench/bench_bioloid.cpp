@@ -92,6 +92,37 @@ void gaits(int seeds, std::vector<Figure>& out) {
   out.push_back({"gait_success", 1000.0 * good / seeds, "of 1000", "more", 1000.0, 760.0, "paper, real robot"});
 }
 
+// The paper's step (50 mm, lifted by 10) from standing to standing, by ours and with the lifted sole's way by the paper's
+// stochastic method: there the weight comes over the sole's centre, ours is shifted as far as the balance asked for needs.
+void travels(int seeds, std::vector<Figure>& out) {
+  const Model& model = shipped_model();
+  std::vector<double> ours, travel_share, time_share;
+  const double y = beside(model, Side::kRight).y;
+  for (int seed = 0; seed < seeds; ++seed) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+    GaitOptions options, paper;
+    options.height = paper.height = std::uniform_real_distribution<double>(0.118, 0.122)(random);
+    paper.paper.emplace();
+    const auto stride = [&](const GaitOptions& by) {
+      return Gait(model, by).stride(Side::kRight, rounded({-0.05, y, 0.0}), rounded({0.05, y, 0.0}), 0.01, random, {});
+    };
+    const auto one = stride(options), two = stride(paper);
+    if (!one || !two) continue;
+    const auto travelled = [](const Stride& by) {
+      double sum = 0.0;
+      for (const Phase& phase : by.phases) sum += travel(phase.points);
+      return sum;
+    };
+    ours.push_back(travelled(*one));
+    travel_share.push_back(ours.back() / travelled(*two));
+    time_share.push_back(duration(one->phases) / duration(two->phases));
+  }
+  if (ours.empty()) return;
+  out.push_back({"gait_travel", percentile(ours, 0.5), "rad", "less"});
+  out.push_back({"gait_travel_over_stochastic", percentile(travel_share, 0.5), "1", "less", 0.5});
+  out.push_back({"gait_duration_over_stochastic", percentile(time_share, 0.5), "1", "less"});
+}
+
 Prism box(const char* name, double x0, double x1, double y0, double y1, double height) {
   return {name, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, height};
 }
@@ -126,12 +157,16 @@ double mean(const std::vector<double>& values) {
 }
 
 // The same phases by all planners, one after the other on each phase.
+//
+// Between two given postures no joint can travel less than the difference of its ends, so no path less than the sum of these: the
+// baseline of travel_over_stochastic, which the stochastic method nearly attains where nothing is in the way, for each of its
+// joints goes to its goal in one direction. What can be gained lies in the choice of the postures: gait_travel_over_stochastic.
 void against(const char* name, const std::vector<SinglePhase>& phases, double patience, std::vector<Figure>& out) {
   const Model& model = shipped_model();
   std::mt19937_64 random(3);
   Answers ours, bare, rrt, simplified, lbkpiece, stochastic;
   const std::string suffix = name == std::string("free") ? "" : std::string("_") + name;
-  std::vector<double> share;  // of stochastic's travel
+  std::vector<double> share, least;  // of stochastic's travel
   SearchOptions not_shortened;
   not_shortened.shortening = 0;
   for (const SinglePhase& phase : phases) {
@@ -163,7 +198,10 @@ void against(const char* name, const std::vector<SinglePhase>& phases, double pa
       free.head(dimension) = point;
       path.push_back(free);
     }
-    if (add(model, phase, spent, path, stochastic) && solved) share.push_back(ours.travel.back() / stochastic.travel.back());
+    if (add(model, phase, spent, path, stochastic) && solved) {
+      share.push_back(ours.travel.back() / stochastic.travel.back());
+      least.push_back((phase.a - phase.b).cwiseAbs().sum() / stochastic.travel.back());
+    }
   }
   const double count = static_cast<double>(phases.size());
   std::printf("%s: %zu phases      solved   median us      p99 us   travel rad\n", name, phases.size());
@@ -182,7 +220,9 @@ void against(const char* name, const std::vector<SinglePhase>& phases, double pa
   out.push_back({"ompl_simplified_over_ours" + suffix, median(simplified) / median(ours), "1", "more", 1.0});
   out.push_back({"lbkpiece_over_ours" + suffix, median(lbkpiece) / median(bare), "1", "more", 1.0});
   out.push_back({"stochastic_over_ours" + suffix, median(stochastic) / median(ours), "1", "more", 1.0});
-  if (!share.empty()) out.push_back({"travel_over_stochastic" + suffix, percentile(share, 0.5), "1", "less", 0.5});
+  if (!share.empty())
+    out.push_back({"travel_over_stochastic" + suffix, percentile(share, 0.5), "1", "less", 0.5, percentile(least, 0.5),
+                   "least between these postures"});
 }
 
 }  // namespace
@@ -197,6 +237,7 @@ int main(int count, char** words) {
   std::vector<Figure> figures;
   judged(free, figures);
   gaits(brief ? 100 : 1000, figures);
+  travels(brief ? 5 : 50, figures);
   walks(brief ? 1 : 5, figures);
   against("free", free, brief ? 0.2 : 1.0, figures);
   against("sill", over, brief ? 0.2 : 1.0, figures);

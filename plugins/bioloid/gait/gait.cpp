@@ -30,6 +30,13 @@ std::optional<KeyPosture> Gait::midway(Side support, const PlanarPose& swing) co
       {.swing = swing, .heading = 0.5 * swing.heading, .height = options_.height, .balance = {0.5 * swing.x, 0.5 * swing.y}});
 }
 
+Eigen::Vector2d Gait::weight_on_one(const PlanarPose& swing) const {
+  if (options_.paper) return Eigen::Vector2d::Zero();
+  const double inside = options_.demands.balance + options_.reserve;
+  const Eigen::Vector2d most(std::max(0.0, 0.5 * model_.sole_length - inside), std::max(0.0, 0.5 * model_.sole_width - inside));
+  return Eigen::Vector2d(0.5 * swing.x, 0.5 * swing.y).cwiseMax(-most).cwiseMin(most);
+}
+
 const Departure& Gait::departure(Side support, const PlanarPose& swing, double lift) {
   const auto [known, is_new] = departures_.try_emplace(key_of(support, swing, lift));
   if (is_new) known->second = make_departure(support, swing, lift, options_.pace);
@@ -45,7 +52,7 @@ const Departure& Gait::rough_departure(Side support, const PlanarPose& swing, do
 Departure Gait::make_departure(Side support, const PlanarPose& swing, double lift, const Pace& pace) {
   Departure out;
   out.fault = Fault::kLimit;
-  Key key{.swing = swing, .heading = 0.5 * swing.heading, .height = options_.height};
+  Key key{.swing = swing, .heading = 0.5 * swing.heading, .height = options_.height, .balance = weight_on_one(swing)};
   const auto between = midway(support, swing), over = key_posture(model_, support, key);
   key.lift = lift;
   const auto raised = key_posture(model_, support, key);

@@ -25,8 +25,12 @@ struct GaitOptions {
   double lift = 0.010;    // of the swing sole
   Pace pace;
   Demands demands;
+  // m, beyond Demands::balance: on one foot the weight is so far inside the sole. It is shifted no farther than that asks for, and
+  // goes forward while the other foot does: over the sole's centre the joints travel twice as far.
+  double reserve = 0.004;
   SearchOptions search;
-  std::optional<PaperOptions> paper;  // the lifted sole's way by the paper's methods, instead of lines and search
+  // The lifted sole's way by the paper's methods instead of lines and search, and the weight over the sole's centre, as there.
+  std::optional<PaperOptions> paper;
 };
 
 // From standing midway to standing on one foot with the other lifted: shift and lift.
@@ -81,6 +85,8 @@ class Gait {
   const PaperFigures& paper_figures() const { return paper_figures_; }
 
  private:
+  // Of the centre of mass, when this foot stands alone.
+  Eigen::Vector2d weight_on_one(const PlanarPose& swing) const;
   using Place = std::array<double, 5>;  // side, x, y, heading, lift
   using Way = std::array<double, 8>;
   Departure make_departure(Side support, const PlanarPose& swing, double lift, const Pace& pace);

@@ -56,6 +56,23 @@ TEST(Strides, GoFromStandingToStandingWithoutAJump) {
   EXPECT_LT((stride->phases.back().points.back() - end->joints).cwiseAbs().maxCoeff(), 1e-8);
 }
 
+TEST(Strides, ShiftTheWeightAsFarAsBalanceAsksForAndByThePaperToTheCentre) {
+  const PlanarPose swing = ahead(-0.05);
+  GaitOptions options, centred;
+  centred.paper.emplace();
+  const auto weight = [&](const GaitOptions& by) {
+    Gait gait(model(), by);
+    const Departure& leaves = gait.departure(Side::kRight, swing, 0.01);
+    EXPECT_TRUE(leaves.sound());
+    return Eigen::Vector2d(centre_over(Side::kRight, leaves.shift.points.back()).head<2>());
+  };
+  const double inside = options.demands.balance + options.reserve;
+  EXPECT_LT((weight(options) - Eigen::Vector2d(-0.025, 0.5 * model().sole_width - inside)).norm(), 1e-9);
+  EXPECT_LT(weight(centred).norm(), 1e-9);
+  options.demands.balance = 0.028;
+  EXPECT_LT(std::abs(weight(options).y()), 1e-9) << "no farther than the centre";
+}
+
 TEST(Strides, LiftByWhatIsAskedAndKeepTheSoleLevel) {
   GaitOptions options;
   Gait gait(model(), options);
