@@ -63,8 +63,9 @@ for target; do
   log=$fuzz/findings/$target.log
   result=clean
   # Malloc of what a length field promises is refused by bad_alloc, not by the fuzzer's own limit.
-  $prefix "$fuzz/bin/fuzz_$target" -max_len=$longest -timeout=$patience -rss_limit_mb=3000 -malloc_limit_mb=0 -print_final_stats=1 \
-      -artifact_prefix="$fuzz/findings/$target-" "$@" $folders >"$log" 2>&1 || case $? in
+  limits="-max_len=$longest -timeout=$patience -report_slow_units=$patience -rss_limit_mb=3000 -malloc_limit_mb=0"
+  limits="$limits -artifact_prefix=$fuzz/findings/$target-"
+  $prefix "$fuzz/bin/fuzz_$target" $limits -print_final_stats=1 "$@" $folders >"$log" 2>&1 || case $? in
     72) result=interrupted ;;
     *) result="FOUND, see $log" status=1 ;;
   esac
@@ -73,8 +74,7 @@ for target; do
   in_all=$((before + ${runs:-0}))
   echo "$in_all" >"$fuzz/runs/$target"
   if [ "$wanted" -gt 0 ] && [ "$result" = clean ]; then
-    $prefix "$fuzz/bin/fuzz_$target" -runs=0 -max_len=$longest -timeout=$patience -rss_limit_mb=3000 -malloc_limit_mb=0 \
-        -artifact_prefix="$fuzz/findings/$target-" $folders >"$log.leaks" 2>&1 || { result="FOUND, see $log.leaks"; status=1; }
+    $prefix "$fuzz/bin/fuzz_$target" $limits -runs=0 $folders >"$log.leaks" 2>&1 || { result="FOUND, see $log.leaks"; status=1; }
   fi
   row "${runs:-0}" "$in_all" "${rate:-0}" "$result"
 done
