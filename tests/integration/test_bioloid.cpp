@@ -52,7 +52,9 @@ TEST_P(Bioloid, WalksAmongObstaclesAndRefusesAGoalOnOne) {
   Daemon daemon(options(GetParam().server));
   Wire wire(GetParam().client, kDomain);
   ASSERT_TRUE(wire.connect("bioloid"));
-  const auto end = wire.final_event(wire.submit(shipped_request("bioloid-obstacles")), 60.0);
+  msg::PlanRequest request = shipped_request("bioloid-obstacles");
+  request.budget(60.0);  // s: enough for a build with sanitizers
+  const auto end = wire.final_event(wire.submit(request), 70.0);
   ASSERT_TRUE(end);
   EXPECT_EQ(end->message.state(), msg::SUCCEEDED) << describe(end->message);
   msg::PlanRequest on_brick = shipped_request("bioloid-obstacles");

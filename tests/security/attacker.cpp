@@ -142,7 +142,7 @@ int main(int count, char** words) {
     std::printf("refused at home: %s\n", error.what());
     std::fflush(stdout);
     while (told_to_end == 0) rest();
-    std::puts("0 0 0 0");
+    std::puts("in all: 0 0 0 0");
     return 0;
   }
   if (acts.find("read") != std::string::npos) begin_reading(attack);
@@ -156,7 +156,7 @@ int main(int count, char** words) {
         if (writer->write(message) == Writer::Result::kSent) ++attack.sent;
     for (auto& [writer, messages] : attack.writers) writer->assert_liveliness();
   }
-  std::printf("%u %u %u %u\n", attack.steps.load(), attack.events.load(), attack.requests.load(), attack.sent);
+  std::printf("in all: %u %u %u %u\n", attack.steps.load(), attack.events.load(), attack.requests.load(), attack.sent);
   std::fflush(stdout);
   // The vendors may die at their ends of what they were told: that is nothing to the victims.
   _exit(0);

@@ -1,11 +1,15 @@
 // See attacks.hpp.
 #include "attacks.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
+#include <initializer_list>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace foothold::test {
 namespace {
@@ -17,12 +21,14 @@ std::vector<std::string> lines_of(const std::filesystem::path& path) {
   return lines;
 }
 
-// The line of its own among those of the vendors.
-std::string begin_of(const std::filesystem::path& path) {
+// A line of its own among those of the vendors, whose threads speak until the end: the first that begins with one of these.
+std::string line_of(const std::filesystem::path& path, std::initializer_list<std::string_view> beginnings) {
   for (const std::string& line : lines_of(path))
-    if (line.starts_with("opened") || line.starts_with("refused at home")) return line;
+    if (std::ranges::any_of(beginnings, [&](std::string_view begin) { return line.starts_with(begin); })) return line;
   return {};
 }
+
+std::string begin_of(const std::filesystem::path& path) { return line_of(path, {"opened", "refused at home"}); }
 
 }  // namespace
 
@@ -44,11 +50,11 @@ Outcome Attacker::finish() {
   outcome.attack = options_.attack;
   outcome.attacker = options_.vendor;
   outcome.note = begin_of(output_);
-  const auto lines = lines_of(output_);
-  std::istringstream last(lines.empty() ? "" : lines.back());
-  if (!code || *code != 0 || !(last >> outcome.steps >> outcome.events >> outcome.requests >> outcome.sent))
+  std::istringstream figures(line_of(output_, {"in all:"}));
+  figures.ignore(std::numeric_limits<std::streamsize>::max(), ':');
+  if (!code || *code != 0 || !(figures >> outcome.steps >> outcome.events >> outcome.requests >> outcome.sent))
     throw std::runtime_error(options_.attack + " by " + options_.vendor + ": the attacker ended with " +
-                             (code ? std::to_string(*code) : "nothing") + ", having said: " + (lines.empty() ? "" : lines.back()));
+                             (code ? std::to_string(*code) : "nothing") + ", having begun so: " + outcome.note);
   return outcome;
 }
 
