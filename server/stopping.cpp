@@ -22,7 +22,8 @@ void Daemon::stop(int signal) {
   stop_timer_.expires_after(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(config_.grace)) + kAtMost);
   stop_timer_.async_wait([this](const boost::system::error_code& error) {
     if (error || leaving_) return;
-    spdlog::warn("not everything ended in time; the rest ends as SERVER_RESTARTED at the next start");
+    spdlog::warn(jobs_->unfinished() ? "not everything ended in time; the rest ends as SERVER_RESTARTED at the next start"
+                                     : "clients do not read what waits for them; they can ask for it later");
     leave();
   });
   end_batch();

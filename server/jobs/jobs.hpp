@@ -96,6 +96,8 @@ class Jobs final : public RunEvents {
   // Nothing is unfinished and nothing is left to tell.
   bool idle() const { return jobs_.empty() && outgoing_.empty() && repeats_.empty(); }
 
+  bool unfinished() const { return !jobs_.empty(); }
+
   // For the requests that come from now on.
   void set_limits(const AdmissionLimits& limits);
 
