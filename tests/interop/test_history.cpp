@@ -1,6 +1,8 @@
 // What a writer keeps: late readers get the newest samples, a full history rolls over, a slow reader makes it full for a while.
+#include <foothold.h>
 #include <signal.h>
 
+#include "foothold/msg/cdr.hpp"
 #include "numbered.hpp"
 #include "pair.hpp"
 
@@ -79,6 +81,33 @@ TEST_P(HistoryOfPair, IsFullWhileAReaderLagsAndLosesNothing) {
   ASSERT_EQ(write_on(*writer, numbered(sent, 4000)), Writer::Result::kSent);
   ASSERT_TRUE(reader.wait_messages(sent + 1));
   expect_numbers(reader.messages(), 0, sent + 1);
+}
+
+// A heartbeat is not held up by whoever has died without a word.
+TEST_P(HistoryOfPair, TheNewestValueWaitsForNoReader) {
+  Peer halted(bus_peer(GetParam().reader, "read", Topic::kServer));
+  Peer other(bus_peer(GetParam().reader, "read", Topic::kServer));
+  const auto bus = open_bus({.vendor = GetParam().writer, .domain = test_domain()});
+  const auto writer = bus->writer(Topic::kServer, "");
+  ASSERT_TRUE(eventually([&] { return writer->matched() == 2; }));
+  ASSERT_TRUE(halted.wait_number(Kind::kMatched, 1));
+  ASSERT_TRUE(other.wait_number(Kind::kMatched, 1));
+  kill(halted.pid(), SIGSTOP);
+  msg::ServerInfo info;
+  info.name(std::string(500, 'a'));
+  constexpr std::uint64_t kBeats = 1000;
+  for (std::uint64_t beat = 1; beat <= kBeats; ++beat) {
+    info.heartbeat(beat);
+    ASSERT_EQ(writer->write(msg::encode(info)), Writer::Result::kSent) << "beat " << beat;
+  }
+  const auto has_the_last = [](Peer& reader) {
+    const auto messages = reader.messages();
+    const auto newest = messages.empty() ? std::nullopt : msg::decode<msg::ServerInfo>(messages.back());
+    return newest && newest->heartbeat() == kBeats;
+  };
+  EXPECT_TRUE(eventually([&] { return has_the_last(other); }));
+  kill(halted.pid(), SIGCONT);
+  EXPECT_TRUE(eventually([&] { return has_the_last(halted); }));
 }
 
 // Fast DDS 2.9 hung for ever in a third of such ends.
