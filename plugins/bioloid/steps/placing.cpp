@@ -10,13 +10,15 @@ constexpr double kSlack = 1e-9;
 
 }  // namespace
 
-Walker::Ban Walker::ban_of(const Placing& placing) {
+Walker::Spot Walker::spot_of(Side side, const PlanarPose& at) {
   constexpr double kUnit = 1e-6;  // m and rad: soles come to one place in different ways
-  Ban out{static_cast<std::int64_t>(index_of(placing.support))};
-  std::size_t k = 0;
-  for (const PlanarPose& pose : {placing.sole, placing.place})
-    for (const double value : {pose.x, pose.y, wrapped(pose.heading)}) out[++k] = std::llround(value / kUnit);
-  return out;
+  const auto units = [](double value) { return static_cast<std::int64_t>(std::llround(value / kUnit)); };
+  return {static_cast<std::int64_t>(index_of(side)), units(at.x), units(at.y), units(wrapped(at.heading))};
+}
+
+Walker::Ban Walker::ban_of(const Placing& placing) {
+  const Spot sole = spot_of(placing.support, placing.sole), place = spot_of(placing.support, placing.place);
+  return {sole[0], sole[1], sole[2], sole[3], place[1], place[2], place[3]};
 }
 
 double Walker::half_spacing() const { return 0.5 * std::abs(beside(model_, Side::kRight).y); }
@@ -41,6 +43,16 @@ std::string Walker::refusal(Side side, const PlanarPose& sole) {
            prism->name + "'";
   if (!fits(side, sole)) return "the robot's body meets an obstacle there";
   return "";
+}
+
+// Of a sole's place alone: room for it, and for the robot over it.
+Walker::Hindrance Walker::room(Side side, const PlanarPose& sole) {
+  const auto [known, is_new] = rooms_.try_emplace(spot_of(side, sole), Hindrance::kNone);
+  if (is_new)
+    known->second = stands_on(model_, sole, prisms_, gait_.options().demands.clearance) ? Hindrance::kObstacle
+                    : fits(side, sole)                                                  ? Hindrance::kNone
+                                                                                        : Hindrance::kBody;
+  return known->second;
 }
 
 // The robot over this foot, the other lifted beside it.
@@ -103,12 +115,11 @@ Walker::Hindrance Walker::reaches(Side support, const PlanarPose& place, double 
 Walker::Hindrance Walker::look(const Placing& placing, Depth depth) {
   const PlanarPose target = placing.sole * placing.place;
   const Side moves = other(placing.support);
-  if (stands_on(model_, target, prisms_, gait_.options().demands.clearance)) return Hindrance::kObstacle;
+  if (const Hindrance found = room(moves, target); found != Hindrance::kNone) return found;
   // The way there, and later the way of the foot that stands now from there.
   const PlanarPose back = rounded(inverse(placing.place));
   const auto there = lift_for(placing.support, placing.sole, placing.place), away = lift_for(moves, target, back);
   if (!there || !away) return Hindrance::kHeight;
-  if (!fits(moves, target)) return Hindrance::kBody;
   const double lift = std::max(*there, *away);
   const Hindrance reach = reaches(placing.support, placing.place, lift, depth);
   if (reach != Hindrance::kNone || depth == Depth::kRoom) return reach;

@@ -56,11 +56,14 @@ class Walker {
   enum class Depth { kRoom, kWhole };         // whether what takes postures and motions is asked too
   static constexpr double kLiftStep = 0.005;  // m: lifts are multiples of it, so that strides repeat
   static constexpr int kHigherLifts = 3;      // tried where lines between key postures sag onto obstacles
-  using Ban = std::array<std::int64_t, 7>;
+  using Spot = std::array<std::int64_t, 4>;   // a foot's place
+  using Ban = std::array<std::int64_t, 7>;    // a placement
 
+  static Spot spot_of(Side side, const PlanarPose& at);
   static Ban ban_of(const Placing& placing);
   double lift_over(double height) const;
   std::optional<double> lift_for(Side support, const PlanarPose& sole, const PlanarPose& place) const;
+  Hindrance room(Side side, const PlanarPose& sole);
   Hindrance judge(const Placing& placing, Depth depth);
   Hindrance look(const Placing& placing, Depth depth);
   Hindrance reaches(Side support, const PlanarPose& place, double lift, Depth depth);
@@ -83,7 +86,8 @@ class Walker {
   Gait& gait_;
   WalkOptions options_;
   const std::vector<Prism>& prisms_;
-  Judge among_;                                                   // the obstacles
+  Judge among_;  // the obstacles
+  std::map<Spot, Hindrance> rooms_;
   std::map<Ban, Hindrance> judged_;                               // placements near obstacles
   std::map<std::pair<Ban, Ban>, std::optional<Stride>> strides_;  // near obstacles
   std::vector<Placing> failed_;                                   // that count, but had no stride after the placement before
