@@ -72,6 +72,7 @@ class Client::Impl {
   std::vector<msg::CancelRequest> farewells_;                                         // of keeper_mutex_
   std::set<msg::Id> away_;                                                            // keeper only: servers that are silent
   bool open_ = false;                                                                 // keeper only
+  Clock::time_point awake_since_{};                                                   // keeper only: since a halt
   Clock::time_point next_hello_{};                                                    // keeper only
   std::thread keeper_;
 

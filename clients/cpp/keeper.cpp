@@ -60,13 +60,16 @@ void Client::Impl::keep() {
 
 // What has come meanwhile is still on its way through the vendor's threads: nobody is silent, and nothing missing, before that.
 void Client::Impl::begin_anew(Clock::time_point now) {
+  awake_since_ = now;
   directory.forgive_silence(now);
   const std::lock_guard lock(plans_mutex_);
   for (const auto& [id, plan] : plans_) plan->wait_for_news(now);
 }
 
 void Client::Impl::look_at_servers(Clock::time_point now) {
-  directory.mark_silent(now, options.server_silence, writers_alive_);
+  // The vendor counts halts of our own as well.
+  const bool settled = now - awake_since_ > from_seconds(options.server_silence);
+  directory.mark_silent(now, options.server_silence, settled ? writers_alive_.load() : std::numeric_limits<std::size_t>::max());
   const std::vector<msg::Id> alive = directory.alive();
   const std::vector<ServerSeen> servers = directory.servers();
   std::vector<std::shared_ptr<PlanState>> plans;

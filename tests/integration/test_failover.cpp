@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <span>
+#include <thread>
 
 #include "daemon.hpp"
 #include "eventually.hpp"
@@ -196,6 +197,25 @@ TEST_P(Failover, ASceneGoesToAllServersAndAPlanToOneThatHasIt) {
     EXPECT_EQ(end->state(), msg::SUCCEEDED) << describe(*end);
     expect_whole(plan, 200);
   }
+}
+
+// Who stood still himself does not take the servers for silent.
+TEST_P(Failover, AHaltedClientStaysWithItsServer) {
+  Wire watcher(GetParam().client, kDomain, "*");
+  ASSERT_TRUE(watcher.connect("good"));
+  const msg::Id id = msg::random_id();
+  Child client({FOOTHOLD_LONE_CLIENT, GetParam().client, std::to_string(kDomain), msg::to_hex(id), "good", "700", "0.01"});
+  ASSERT_TRUE(watcher.wait_for_steps(id, 20));
+  for (int round = 0; round < 3; ++round) {
+    client.signal(SIGSTOP);
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    client.signal(SIGCONT);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  EXPECT_EQ(client.wait(kSoon), static_cast<int>(msg::SUCCEEDED));
+  std::set<msg::Id> planned_by;
+  for (const auto& step : watcher.steps(id)) planned_by.insert(step.message.server());
+  EXPECT_EQ(planned_by.size(), 1u);
 }
 
 // P40: what a client has uploaded goes to servers that come later, too.
