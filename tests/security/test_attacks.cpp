@@ -38,10 +38,13 @@ class Siege {
       const msg::Id id = client_credentials.empty() ? msg::random_id() : client_id(client_credentials, vendor);
       clients_.push_back(std::make_unique<Wire>(vendor, kDomain, "", id, client_credentials));
     }
-    const auto steps = static_cast<std::uint32_t>(100.0 * (kDuration + 30.0));
+    const double lasts = kDuration + 120.0;  // s: longer than attackers on a busy machine need to begin and to end
+    const auto steps = static_cast<std::uint32_t>(100.0 * lasts);
     for (const auto& client : clients_) {
       if (!client->connect("good", 30.0)) throw std::runtime_error("a client does not reach its server");
-      victims_.push_back({msg::to_hex(client->id()), client->submit(paced_request("good", steps, 0.01))});
+      msg::PlanRequest request = paced_request("good", steps, 0.01);
+      request.budget(lasts + 60.0);
+      victims_.push_back({msg::to_hex(client->id()), client->submit(request)});
       if (!client->wait_for_steps(victims_.back().request, 5)) throw std::runtime_error("no plan to attack");
     }
   }
