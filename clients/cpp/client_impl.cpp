@@ -1,7 +1,7 @@
 // What arrives from the bus, and the way into the client for plans.
 #include "client_impl.hpp"
 
-#include <cstring>
+#include "foothold/msg/first_id.hpp"
 
 namespace foothold::client {
 namespace {
@@ -11,14 +11,6 @@ using transport::Topic;
 ClientOptions with_id(ClientOptions options) {
   if (options.id == msg::kNoId) options.id = msg::random_id();
   return options;
-}
-
-// Every message about a plan begins with its id, behind four octets of encapsulation.
-std::optional<msg::Id> plan_of(std::span<const std::byte> message) {
-  msg::Id id;
-  if (message.size() < 4 + id.size()) return std::nullopt;
-  std::memcpy(id.data(), message.data() + 4, id.size());
-  return id;
 }
 
 }  // namespace
@@ -107,7 +99,7 @@ void Client::Impl::after(const std::shared_ptr<PlanState>& plan, bool news) {
 }
 
 void Client::Impl::on_step(std::span<const std::byte> message) {
-  const auto id = plan_of(message);
+  const auto id = msg::first_id(message);
   const auto plan = id ? find(*id) : nullptr;
   if (!plan) return;
   auto step = msg::decode<msg::Step>(message);
@@ -115,7 +107,7 @@ void Client::Impl::on_step(std::span<const std::byte> message) {
 }
 
 void Client::Impl::on_event(std::span<const std::byte> message) {
-  const auto id = plan_of(message);
+  const auto id = msg::first_id(message);
   const auto plan = id ? find(*id) : nullptr;
   if (!plan) return;
   const auto event = msg::decode<msg::PlanEvent>(message);

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
+#include "scene_piece.hpp"
+
 namespace foothold::client {
 namespace {
 
-constexpr std::size_t kPiece = 65536;
 constexpr std::size_t kPiecesAtOnce = 16;
 
 }  // namespace
@@ -60,10 +61,7 @@ void KeptScenes::send() {
   const auto& octets = delivery_->file->octets;
   msg::SceneChunk& chunk = delivery_->chunk;
   for (std::size_t piece = 0; piece < kPiecesAtOnce && delivery_->sent < octets.size(); ++piece) {
-    const std::size_t end = std::min(octets.size(), delivery_->sent + kPiece);
-    chunk.offset(delivery_->sent);
-    chunk.data().assign(octets.begin() + static_cast<std::ptrdiff_t>(delivery_->sent),
-                        octets.begin() + static_cast<std::ptrdiff_t>(end));
+    const std::size_t end = put_piece(chunk, std::as_bytes(std::span(octets)), delivery_->sent);
     if (!outgoing_.try_send(chunk)) return;
     delivery_->sent = end;
   }

@@ -3,13 +3,13 @@
 #include <thread>
 
 #include "client_impl.hpp"
+#include "scene_piece.hpp"
 
 namespace foothold::client {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kPiece = 65536;
 constexpr auto kFullPause = std::chrono::milliseconds(1);
 constexpr auto kOwnAnswer = std::chrono::seconds(1);
 
@@ -39,12 +39,9 @@ std::optional<msg::SceneStatus> Client::upload(const std::string& name, const st
   std::optional<msg::SceneStatus> verdict;
   std::size_t offset = 0;
   do {
-    const auto piece = bytes.subspan(offset, std::min(kPiece, bytes.size() - offset));
-    chunk.offset(offset);
-    const auto* octets = reinterpret_cast<const std::uint8_t*>(piece.data());
-    chunk.data().assign(octets, octets + piece.size());
+    const std::size_t next = put_piece(chunk, bytes, offset);
     while (!impl_->outgoing->try_send(chunk) && until(end) > 0.0) std::this_thread::sleep_for(kFullPause);
-    offset += piece.size();
+    offset = next;
     verdict = directory.verdict(chunk.upload(), servers, name, chunk.revision(), false);
   } while (offset < bytes.size() && until(end) > 0.0 && !verdict);
   // Somebody else who stores the same file at this moment may be the one whom the server's last word is for.

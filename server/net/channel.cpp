@@ -1,17 +1,13 @@
 // One writer and what waits for it.
 #include "net/channel.hpp"
 
-#include <cstring>
+#include "foothold/msg/first_id.hpp"
 
 namespace foothold::server {
 namespace {
 
-// Events and steps begin with the id of their request, behind four octets of encapsulation.
-msg::Id request_of(std::span<const std::byte> message) {
-  msg::Id id{};
-  if (message.size() >= 4 + id.size()) std::memcpy(id.data(), message.data() + 4, id.size());
-  return id;
-}
+// Events and steps begin with the id of their request.
+msg::Id request_of(std::span<const std::byte> message) { return msg::first_id(message).value_or(msg::kNoId); }
 
 }  // namespace
 
