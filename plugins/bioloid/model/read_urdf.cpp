@@ -5,6 +5,7 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
+#include <set>
 
 #include "bioloid/model/structure.hpp"
 #include "bioloid/model/urdf.hpp"
@@ -88,6 +89,7 @@ class Reader {
   // `link` belongs to `body`; `at`: its frame in the body's, turned as in the zero pose; `zero`: the body's origin from the
   // torso's.
   void visit(const urdf::Link& link, std::size_t body, const Isometry3d& at, const Vector3d& zero) {
+    if (!visited_.insert(&link).second) throw InvalidModel(link_entry(link.name), "must have one joint that carries it");
     Body& out = model_.bodies[body];
     if (out.name.empty()) out.name = link.name;
     if (link.inertial) {
@@ -160,6 +162,7 @@ class Reader {
 
   urdf::ModelInterfaceSharedPtr urdf_;
   Model model_;
+  std::set<const urdf::Link*> visited_;  // urdfdom lets joints close a loop
   std::array<bool, kJoints> found_{};
   std::array<Vector3d, kBodies> moments_ = filled();
   std::array<std::optional<Vector3d>, 2> soles_;  // from the torso's origin

@@ -161,6 +161,8 @@ TEST(BioloidUrdf, WrongStructuresAreRefusedWithTheElementsName) {
   expect_refused(replaced(biped, "<box size='0.1 0.16 0.2'/>", "<sphere radius='0.1'/>"), "urdf.link[trunk]", "collide as boxes");
   expect_refused(replaced(biped, "<collision><origin xyz='0 0 0.15'/>", "<collision><origin xyz='0 0 0.15' rpy='0 0 0.1'/>"),
                  "urdf.link[trunk]", "parallel to the torso");
+  const std::string loop = "<joint name='again' type='fixed'><parent link='r_fore'/><child link='r_arm'/></joint>";
+  expect_refused(replaced(biped, "</robot>", loop + "</robot>"), "urdf.link[r_arm]", "one joint that carries it");
 }
 
 TEST(BioloidUrdf, NumbersBesideItAreRefused) {
