@@ -28,20 +28,24 @@ std::optional<double> parse_quantity(std::string_view text, std::span<const Unit
   return value * found->second;
 }
 
-// Levenshtein's distance.
-std::size_t distance(std::string_view a, std::string_view b) {
+// Levenshtein's distance if it is below `limit`, else `limit`: most names that are compared have nothing in common.
+std::size_t distance(std::string_view a, std::string_view b, std::size_t limit) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
     std::size_t diagonal = row[0];
-    row[0] = i + 1;
+    std::size_t left = i + 1, least = left;
+    row[0] = left;
     for (std::size_t j = 0; j < b.size(); ++j) {
       const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
       diagonal = row[j + 1];
-      row[j + 1] = std::min({change, diagonal + 1, row[j] + 1});
+      left = std::min(change, std::min(diagonal, left) + 1);
+      least = std::min(least, left);
+      row[j + 1] = left;
     }
+    if (least >= limit) return limit;  // no row has less than the one before
   }
-  return row.back();
+  return std::min(row.back(), limit);
 }
 
 }  // namespace
@@ -56,7 +60,7 @@ std::string nearest(std::string_view name, const std::vector<std::string>& known
   for (const auto& candidate : known) {
     // No fewer letters change than there are more or less of them; to count them takes the product of both lengths.
     if (std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size()) >= least) continue;
-    const std::size_t changes = distance(name, candidate);
+    const std::size_t changes = distance(name, candidate, least);
     if (changes >= least) continue;
     least = changes;
     best = candidate;
