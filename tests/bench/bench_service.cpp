@@ -139,13 +139,6 @@ void soak(const std::string& vendor, std::uint32_t domain, double seconds, std::
   figures.push_back({vendor + "_soak_workers_growth", growth(of_workers), "%", "less", goal, {}, {}});
 }
 
-// The word behind `option`; nothing if it is not there.
-std::optional<std::string> word_of(const char* option, int count, char** words) {
-  for (int i = 1; i + 1 < count; ++i)
-    if (std::strcmp(words[i], option) == 0) return words[i + 1];
-  return std::nullopt;
-}
-
 // A choice that is not made is for all.
 std::vector<std::string> chosen(const char* option, const std::vector<std::string>& all, int count, char** words) {
   const auto word = word_of(option, count, words);
@@ -159,7 +152,8 @@ std::vector<std::string> chosen(const char* option, const std::vector<std::strin
 int main(int count, char** words) {
   try {
     if (count > 1 && std::strcmp(words[1], "--client") == 0) return client_main(count, words);
-    const Size& size = quick(count, words) ? kQuick : kFull;
+    const bool is_quick = quick(count, words, {"--soak SECONDS", "--vendor cyclone|fastdds", "--part clients|queue|soak"});
+    const Size& size = is_quick ? kQuick : kFull;
     const auto soaking = word_of("--soak", count, words);
     const auto vendors = chosen("--vendor", {"cyclone", "fastdds"}, count, words);
     std::vector<Figure> figures;

@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -74,8 +76,33 @@ void report(const std::string& bench, const std::vector<Figure>& figures) {
   std::printf("%s\n", line.dump().c_str());
 }
 
-bool quick(int count, char** words) {
-  return std::any_of(words, words + count, [](const char* word) { return std::strcmp(word, "--quick") == 0; });
+bool quick(int count, char** words, const std::vector<std::string>& options) {
+  std::string usage = std::filesystem::path(words[0]).filename().string() + " [--quick]";
+  for (const std::string& option : options) usage += " [" + option + "]";
+  bool is_quick = false;
+  for (int i = 1; i < count; ++i) {
+    const std::string word = words[i];
+    const auto known = [&](const std::string& option) { return option.substr(0, option.find(' ')) == word; };
+    if (word == "--help" || word == "-h") {
+      std::printf("%s\n", usage.c_str());
+      std::exit(EXIT_SUCCESS);
+    }
+    if (word == "--quick") {
+      is_quick = true;
+    } else if (std::ranges::any_of(options, known) && i + 1 < count) {
+      ++i;
+    } else {
+      std::fprintf(stderr, "'%s' is unknown or lacks its word: %s\n", word.c_str(), usage.c_str());
+      std::exit(2);
+    }
+  }
+  return is_quick;
+}
+
+std::optional<std::string> word_of(const char* option, int count, char** words) {
+  for (int i = 1; i + 1 < count; ++i)
+    if (std::strcmp(words[i], option) == 0) return words[i + 1];
+  return std::nullopt;
 }
 
 double percentile(std::vector<double> values, double part) {

@@ -23,8 +23,12 @@ struct Figure {
 // when the bench runs; "unknown" outside a checkout.
 void report(const std::string& bench, const std::vector<Figure>& figures);
 
-// True if the command line has --quick: a run under 30 s.
-bool quick(int count, char** words);
+// True if the command line has --quick: a run under 30 s. `options`: what else it may have, each with one word behind it, as
+// "--soak SECONDS". --help says what may stand there and ends the program; anything else ends it with exit code 2.
+bool quick(int count, char** words, const std::vector<std::string>& options = {});
+
+// The word behind `option`; nothing if it is not there.
+std::optional<std::string> word_of(const char* option, int count, char** words);
 
 // The value below which `part` (0..1) of the values lie. Precondition: not empty.
 double percentile(std::vector<double> values, double part);
