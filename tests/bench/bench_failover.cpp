@@ -1,4 +1,4 @@
-// How soon a request goes on when its server is killed: bench_failover [--quick].
+// How soon a request goes on when its server is killed: bench_failover [--quick] [--fleet ONE_TWO_CLIENT].
 //
 // Two servers of four workers each in one domain, a client with `kAtOnce` short plans under way at any time, shared between them.
 // In the middle of that one server is killed with SIGKILL. For every request that it had then (recovery times, from the kill):
@@ -138,18 +138,20 @@ class Rig {
 }  // namespace
 
 int main(int count, char** words) try {
-  const int kills = quick(count, words) ? 2 : 12;
+  const int kills = quick(count, words, {"--fleet ONE_TWO_CLIENT"}) ? 2 : 12;
+  const auto wanted = word_of("--fleet", count, words);
   std::vector<Figure> figures;
   Recovery all;
   std::printf("%-28s %8s %8s %10s %10s %10s %10s\n", "servers, client", "requests", "affected", "heard p50", "p99 s", "ended p50",
               "p99 s");
   std::uint32_t domain = 60;
   for (const Fleet& fleet : kFleets) {
+    const std::string name = std::string(fleet.one) + "_" + fleet.two + "_" + fleet.client;
+    if (wanted && *wanted != name) continue;
     Rig rig(fleet, ++domain);
     Recovery found;
     for (int kill = 0; kill < kills; ++kill) rig.kill_one(kill, found);
     if (found.ended.empty()) throw std::runtime_error("no kill met a request");
-    const std::string name = std::string(fleet.one) + "_" + fleet.two + "_" + fleet.client;
     std::printf("%-28s %8zu %8zu %10.3f %10.3f %10.3f %10.3f\n", name.c_str(), found.requests, found.ended.size(),
                 percentile(found.heard, 0.5), percentile(found.heard, 0.99), percentile(found.ended, 0.5),
                 percentile(found.ended, 0.99));
@@ -159,6 +161,7 @@ int main(int count, char** words) try {
     all.ended.insert(all.ended.end(), found.ended.begin(), found.ended.end());
     all.requests += found.requests;
   }
+  if (all.ended.empty()) throw std::runtime_error("--fleet: '" + *wanted + "' is none, such as cyclone_fastdds_cyclone");
   figures.insert(figures.begin(), {{"recovery_p99", percentile(all.ended, 0.99), "s", "less", 2.0, {}, {}},
                                    {"recovery_p50", percentile(all.ended, 0.5), "s", "less", {}, {}, {}},
                                    {"heard_p99", percentile(all.heard, 0.99), "s", "less", {}, {}, {}},

@@ -83,6 +83,26 @@ TEST_P(HistoryOfPair, IsFullWhileAReaderLagsAndLosesNothing) {
   expect_numbers(reader.messages(), 0, sent + 1);
 }
 
+// Who has died without a word is a reader until its lease ends; what a thousand messages are to others does not wait for that.
+TEST_P(HistoryOfPair, AReaderThatStandsStillDoesNotStopTheOthers) {
+  Peer halted(bus_peer(GetParam().reader, "read", Topic::kStep, "p"));
+  Peer other(bus_peer(GetParam().reader, "read", Topic::kStep, "p"));
+  const auto bus = open_bus({.vendor = GetParam().writer, .domain = test_domain()});
+  const auto writer = bus->writer(Topic::kStep, "p");
+  ASSERT_TRUE(eventually([&] { return writer->matched() == 2; }));
+  ASSERT_TRUE(halted.wait_number(Kind::kMatched, 1));
+  ASSERT_TRUE(other.wait_number(Kind::kMatched, 1));
+  kill(halted.pid(), SIGSTOP);
+  constexpr std::uint32_t kCount = 1000;
+  for (std::uint32_t i = 0; i < kCount; ++i)
+    ASSERT_EQ(write_on(*writer, numbered(i, 100), 5.0), Writer::Result::kSent) << "sample " << i;
+  EXPECT_TRUE(other.wait_messages(kCount)) << other.messages().size();
+  kill(halted.pid(), SIGCONT);
+  ASSERT_TRUE(halted.wait_messages(kCount)) << halted.messages().size();
+  expect_numbers(other.messages(), 0, kCount);
+  expect_numbers(halted.messages(), 0, kCount);
+}
+
 // A heartbeat is not held up by whoever has died without a word.
 TEST_P(HistoryOfPair, TheNewestValueWaitsForNoReader) {
   Peer halted(bus_peer(GetParam().reader, "read", Topic::kServer));

@@ -1,5 +1,6 @@
 // Writes octets. Fast DDS refuses a sample at once (its blocking time is 0) while its history is full and the oldest sample is not
 // acknowledged.
+#include <chrono>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <mutex>
@@ -18,6 +19,10 @@ using eprosima::fastrtps::types::ReturnCode_t;
 // cannot hold is then lost and repaired, and its reader walks through all that came out of order for each sample repaired.
 constexpr std::size_t kWindowSamples = 256;
 constexpr std::size_t kWindowOctets = 256U << 10U;
+
+// How long a full window waits for who acknowledges nothing. A reader that died without a word is one until its lease ends, and the
+// others wait with it; what it leaves unacknowledged is bounded by the history.
+constexpr auto kPatience = std::chrono::milliseconds(100);
 
 class FastWriter final : public Writer {
  public:
@@ -43,13 +48,17 @@ class FastWriter final : public Writer {
   Result write(std::span<const std::byte> message) override {
     if (const char* fault = fault_of(topic_, message)) return failed(describe(topic_, message, fault));
     const bool replaces = topic_.keep_last_one;  // what is not acknowledged: nothing piles up, and nobody holds up the others
-    if (!replaces && (window_samples_ >= kWindowSamples || window_octets_ >= kWindowOctets) && !all_acknowledged())
-      return Result::kFull;
+    if (!replaces && window_is_full()) {
+      const bool goes_on = all_acknowledged() || Clock::now() - filled_ >= kPatience;
+      if (!goes_on) return Result::kFull;
+      window_samples_ = window_octets_ = 0;
+    }
     BytesSample sample{message, {}};
     const ReturnCode_t code = writer_->write(&sample, dds::HANDLE_NIL);
     if (code == ReturnCode_t::RETCODE_OK) {
       ++window_samples_;
       window_octets_ += message.size();
+      if (!replaces && window_is_full()) filled_ = Clock::now();
       return Result::kSent;
     }
     // The newest sample of each key replaces the one before, so that only the number of keys can be too large.
@@ -77,11 +86,12 @@ class FastWriter final : public Writer {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  bool window_is_full() const { return window_samples_ >= kWindowSamples || window_octets_ >= kWindowOctets; }
+
   bool all_acknowledged() {
-    if (writer_->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(0, 0)) != ReturnCode_t::RETCODE_OK) return false;
-    window_samples_ = 0;
-    window_octets_ = 0;
-    return true;
+    return writer_->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(0, 0)) == ReturnCode_t::RETCODE_OK;
   }
 
   Result failed(std::string why) {
@@ -94,8 +104,9 @@ class FastWriter final : public Writer {
   dds::DomainParticipant& participant_;
   dds::Publisher* publisher_;
   dds::DataWriter* writer_ = nullptr;
-  std::size_t window_samples_ = 0;  // since all was acknowledged
+  std::size_t window_samples_ = 0;  // since it was empty
   std::size_t window_octets_ = 0;
+  Clock::time_point filled_;
   mutable std::mutex mutex_;
   std::string last_error_;
 };

@@ -58,9 +58,11 @@ class Writer {
   virtual ~Writer() = default;
   enum class Result : std::uint8_t { kSent, kFull, kFailed };
   // Never blocks. kFull: as much is under way as may be (about 256 kB, or 256 messages) and some matched reader has not
-  // acknowledged it yet: try again after a millisecond. A writer without readers is never full: it keeps the newest `history`
-  // messages. kFailed: the bytes bear no XCDR1 encapsulation, are too short for the topic's key or longer than kMaxMessage, or the
-  // vendor gave an error (last_error()). Any thread, one at a time.
+  // acknowledged it yet: try again after a millisecond. A reader that acknowledges nothing, such as one that died without a word,
+  // holds up the others only as far as that lasts: till 256 kB are unacknowledged (Cyclone) or `history` messages (Fast DDS, which
+  // sends them in tenths of a second). A writer without readers is never full: it keeps the newest `history` messages. kFailed: the
+  // bytes bear no XCDR1 encapsulation, are too short for the topic's key or longer than kMaxMessage, or the vendor gave an error
+  // (last_error()). Any thread, one at a time.
   virtual Result write(std::span<const std::byte> message) = 0;
   virtual std::string last_error() const = 0;
   virtual std::size_t matched() const = 0;  // readers matched now
