@@ -87,7 +87,8 @@ bool Wire::connect(const std::string& name, double seconds) {
   const auto until = SteadyClock::now() + std::chrono::duration<double>(seconds);
   const auto open = [&] {
     const std::optional<msg::RobotInfo> info = robot(name);
-    return info && info->state() == msg::READY && requests_->matched() > 0 && cancels_->matched() > 0 && queries_->matched() > 0;
+    return server() && info && info->state() == msg::READY && requests_->matched() > 0 && cancels_->matched() > 0 &&
+           queries_->matched() > 0;
   };
   // A hello may be lost on a way that the server's side has not opened yet: until the answer's way is open it is repeated.
   auto next_hello = SteadyClock::now();
