@@ -83,51 +83,57 @@ TEST_P(HistoryOfPair, IsFullWhileAReaderLagsAndLosesNothing) {
   expect_numbers(reader.messages(), 0, sent + 1);
 }
 
+// A writer with two readers, of which one stands still.
+struct OneHalted {
+  OneHalted(const Pair& vendors, Topic topic)
+      : halted(bus_peer(vendors.reader, "read", topic, "p")),
+        other(bus_peer(vendors.reader, "read", topic, "p")),
+        bus(open_bus({.vendor = vendors.writer, .domain = test_domain()})),
+        writer(bus->writer(topic, "p")) {
+    const bool matched = eventually([&] { return writer->matched() == 2; });
+    EXPECT_TRUE(matched && halted.wait_number(Kind::kMatched, 1) && other.wait_number(Kind::kMatched, 1));
+    kill(halted.pid(), SIGSTOP);
+  }
+  void go_on() const { kill(halted.pid(), SIGCONT); }
+
+  Peer halted, other;
+  std::unique_ptr<transport::Bus> bus;
+  std::unique_ptr<Writer> writer;
+};
+
 // Who has died without a word is a reader until its lease ends; what a thousand messages are to others does not wait for that.
 TEST_P(HistoryOfPair, AReaderThatStandsStillDoesNotStopTheOthers) {
-  Peer halted(bus_peer(GetParam().reader, "read", Topic::kStep, "p"));
-  Peer other(bus_peer(GetParam().reader, "read", Topic::kStep, "p"));
-  const auto bus = open_bus({.vendor = GetParam().writer, .domain = test_domain()});
-  const auto writer = bus->writer(Topic::kStep, "p");
-  ASSERT_TRUE(eventually([&] { return writer->matched() == 2; }));
-  ASSERT_TRUE(halted.wait_number(Kind::kMatched, 1));
-  ASSERT_TRUE(other.wait_number(Kind::kMatched, 1));
-  kill(halted.pid(), SIGSTOP);
+  OneHalted readers(GetParam(), Topic::kStep);
+  ASSERT_FALSE(HasFailure());
   constexpr std::uint32_t kCount = 1000;
   for (std::uint32_t i = 0; i < kCount; ++i)
-    ASSERT_EQ(write_on(*writer, numbered(i, 100), 5.0), Writer::Result::kSent) << "sample " << i;
-  EXPECT_TRUE(other.wait_messages(kCount)) << other.messages().size();
-  kill(halted.pid(), SIGCONT);
-  ASSERT_TRUE(halted.wait_messages(kCount)) << halted.messages().size();
-  expect_numbers(other.messages(), 0, kCount);
-  expect_numbers(halted.messages(), 0, kCount);
+    ASSERT_EQ(write_on(*readers.writer, numbered(i, 100), 5.0), Writer::Result::kSent) << "sample " << i;
+  EXPECT_TRUE(readers.other.wait_messages(kCount)) << readers.other.messages().size();
+  readers.go_on();
+  ASSERT_TRUE(readers.halted.wait_messages(kCount)) << readers.halted.messages().size();
+  expect_numbers(readers.other.messages(), 0, kCount);
+  expect_numbers(readers.halted.messages(), 0, kCount);
 }
 
 // A heartbeat is not held up by whoever has died without a word.
 TEST_P(HistoryOfPair, TheNewestValueWaitsForNoReader) {
-  Peer halted(bus_peer(GetParam().reader, "read", Topic::kServer));
-  Peer other(bus_peer(GetParam().reader, "read", Topic::kServer));
-  const auto bus = open_bus({.vendor = GetParam().writer, .domain = test_domain()});
-  const auto writer = bus->writer(Topic::kServer, "");
-  ASSERT_TRUE(eventually([&] { return writer->matched() == 2; }));
-  ASSERT_TRUE(halted.wait_number(Kind::kMatched, 1));
-  ASSERT_TRUE(other.wait_number(Kind::kMatched, 1));
-  kill(halted.pid(), SIGSTOP);
+  OneHalted readers(GetParam(), Topic::kServer);
+  ASSERT_FALSE(HasFailure());
   msg::ServerInfo info;
   info.name(std::string(500, 'a'));
   constexpr std::uint64_t kBeats = 1000;
   for (std::uint64_t beat = 1; beat <= kBeats; ++beat) {
     info.heartbeat(beat);
-    ASSERT_EQ(writer->write(msg::encode(info)), Writer::Result::kSent) << "beat " << beat;
+    ASSERT_EQ(readers.writer->write(msg::encode(info)), Writer::Result::kSent) << "beat " << beat;
   }
   const auto has_the_last = [](Peer& reader) {
     const auto messages = reader.messages();
     const auto newest = messages.empty() ? std::nullopt : msg::decode<msg::ServerInfo>(messages.back());
     return newest && newest->heartbeat() == kBeats;
   };
-  EXPECT_TRUE(eventually([&] { return has_the_last(other); }));
-  kill(halted.pid(), SIGCONT);
-  EXPECT_TRUE(eventually([&] { return has_the_last(halted); }));
+  EXPECT_TRUE(eventually([&] { return has_the_last(readers.other); }));
+  readers.go_on();
+  EXPECT_TRUE(eventually([&] { return has_the_last(readers.halted); }));
 }
 
 // Fast DDS 2.9 hung for ever in a third of such ends.
