@@ -52,12 +52,14 @@ for target; do
     [ "$before" -lt "$wanted" ] || { row 0 "$before" 0 "done before"; continue; }
     set -- -runs=$((wanted - before)) -detect_leaks=0 -entropic=0
   fi
-  # Longer inputs make each run slow and find no more; what is read as octets has its seeds' length.
+  # Longer inputs make each run slow and find no more; what is read as octets has its seeds' length. With --runs what is YAML is
+  # shorter still: 256 octets reach 98 of 100 branches that 768 do (a robot's file 384), in half the time.
   case $target in
     client_messages|server_messages|worker_frames|journal_*|bundle|credentials) longest=4096 ;;
     urdf) longest=6144 ;;   # less holds no whole robot
     mesh) longest=1024 ;;
-    *) longest=768 ;;
+    robot_files) longest=$((wanted > 0 ? 384 : 768)) ;;
+    *) longest=$((wanted > 0 ? 256 : 768)) ;;
   esac
   folders="$corpus $seeds/$target"
   [ ! -d "$past" ] || folders="$folders $past"
