@@ -1,20 +1,17 @@
-// The one file that includes Boost.Beast: it takes seconds to compile.
+// Connections: who is let in, how long each may take, and how it ends.
 #include "http/http.hpp"
 
 #include <array>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/asio/write.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
-#include <boost/beast/http.hpp>
-#include <optional>
 #include <set>
 
 namespace foothold::server {
 namespace asio = boost::asio;
 namespace beast = boost::beast;
-namespace http = boost::beast::http;
 using boost::system::error_code;
 using tcp = asio::ip::tcp;
 
@@ -24,32 +21,11 @@ constexpr auto kAcceptAgain = std::chrono::seconds(1);  // after a failure, such
 constexpr auto kDraining = std::chrono::seconds(1);
 constexpr std::size_t kDrained = 64 << 10;  // octets
 
-using Response = http::response<http::string_body>;
-
-Response refusal(http::status status, const std::string& reason) {
-  Response response{status, 11};
-  response.set(http::field::content_type, "text/plain; charset=utf-8");
-  response.body() = reason + "\n";
-  return response;
-}
-
-// What to say to octets that are no request that is taken here; nothing if the peer is gone or was too slow.
-std::optional<Response> complaint(const error_code& error) {
-  if (error == http::error::header_limit || error == http::error::buffer_overflow)
-    return refusal(http::status::request_header_fields_too_large, "the request's head is too large");
-  if (error == http::error::unexpected_body || error == http::error::body_limit)
-    return refusal(http::status::payload_too_large, "a request must not have a body");
-  if (error == http::error::end_of_stream || error == http::error::partial_message || error == beast::error::timeout ||
-      error.category() != http::make_error_code(http::error::bad_method).category())
-    return std::nullopt;
-  return refusal(http::status::bad_request, "this is no HTTP request: " + error.message());
-}
-
 }  // namespace
 
 class HttpServer::Door : public std::enable_shared_from_this<HttpServer::Door> {
  public:
-  Door(asio::io_context& loop, Handler handler, HttpLimits limits)
+  Door(asio::io_context& loop, HttpHandler handler, HttpLimits limits)
       : loop_(loop), acceptor_(loop), timer_(loop), handler_(std::move(handler)), limits_(limits) {}
 
   void open(const tcp::endpoint& endpoint) {
@@ -75,45 +51,30 @@ class HttpServer::Door : public std::enable_shared_from_this<HttpServer::Door> {
   // One connection: a request, an answer, the end.
   struct Visit : std::enable_shared_from_this<Visit> {
     Visit(std::shared_ptr<Door> its_door, tcp::socket socket)
-        : door(std::move(its_door)), stream(std::move(socket)), buffer(door->limits_.head) {
-      parser.header_limit(door->limits_.head);
-      parser.body_limit(0);
+        : door(std::move(its_door)), stream(std::move(socket)), exchange(door->limits_.head) {
       door->visits_.insert(this);
     }
     ~Visit() { door->left(this); }
 
-    void read() {
+    void begin() {
       stream.expires_after(door->limits_.patience);
-      http::async_read(stream, buffer, parser, [self = shared_from_this()](const error_code& error, std::size_t) {
-        if (!self->door->handler_) return;
-        if (!error) return self->send(self->answer());
-        if (auto refused = complaint(error)) self->send(std::move(*refused));
+      read();
+    }
+
+    void read() {
+      stream.async_read_some(asio::buffer(scratch), [self = shared_from_this()](const error_code& error, std::size_t count) {
+        if (error || !self->door->handler_) return;
+        if (auto said = self->exchange.take({self->scratch.data(), count}, self->door->handler_))
+          self->send(std::move(*said));
+        else
+          self->read();
       });
     }
 
-    Response answer() const {
-      const auto& request = parser.get();
-      if (request.method() != http::verb::get && request.method() != http::verb::head) {
-        Response refused = refusal(http::status::method_not_allowed, "only GET and HEAD are taken");
-        refused.set(http::field::allow, "GET, HEAD");
-        return refused;
-      }
-      const std::string_view target(request.target().data(), request.target().size());
-      HttpAnswer given = door->handler_(target.substr(0, target.find('?')));
-      Response made{static_cast<http::status>(given.status), 11};
-      made.set(http::field::content_type, given.type);
-      made.body() = std::move(given.body);
-      return made;
-    }
-
-    void send(Response made) {
-      response = std::move(made);
-      response.set(http::field::cache_control, "no-store");
-      response.keep_alive(false);
-      response.prepare_payload();
-      if (parser.is_header_done() && parser.get().method() == http::verb::head) response.body().clear();
+    void send(std::string octets) {
+      answer = std::move(octets);
       stream.expires_after(door->limits_.patience);
-      http::async_write(stream, response, [self = shared_from_this()](const error_code& error, std::size_t) {
+      asio::async_write(stream, asio::buffer(answer), [self = shared_from_this()](const error_code& error, std::size_t) {
         error_code ignored;
         self->stream.socket().shutdown(tcp::socket::shutdown_send, ignored);
         if (!error) self->drain();
@@ -132,9 +93,8 @@ class HttpServer::Door : public std::enable_shared_from_this<HttpServer::Door> {
 
     std::shared_ptr<Door> door;
     beast::tcp_stream stream;
-    beast::flat_buffer buffer;
-    http::request_parser<http::empty_body> parser;
-    Response response;
+    HttpExchange exchange;
+    std::string answer;
     std::array<char, 4096> scratch{};
     std::size_t drained = 0;
   };
@@ -146,7 +106,7 @@ class HttpServer::Door : public std::enable_shared_from_this<HttpServer::Door> {
       self->accepting_ = false;
       if (!self->handler_) return;
       if (error) return self->accept_later();
-      std::make_shared<Visit>(self, std::move(socket))->read();
+      std::make_shared<Visit>(self, std::move(socket))->begin();
       self->accept();
     });
   }
@@ -166,13 +126,14 @@ class HttpServer::Door : public std::enable_shared_from_this<HttpServer::Door> {
   asio::io_context& loop_;
   tcp::acceptor acceptor_;
   asio::steady_timer timer_;
-  Handler handler_;
+  HttpHandler handler_;
   HttpLimits limits_;
   std::set<Visit*> visits_;
   bool accepting_ = false;
 };
 
-HttpServer::HttpServer(asio::io_context& loop, const std::string& address, std::uint16_t port, Handler handler, HttpLimits limits)
+HttpServer::HttpServer(asio::io_context& loop, const std::string& address, std::uint16_t port, HttpHandler handler,
+                       HttpLimits limits)
     : door_(std::make_shared<Door>(loop, std::move(handler), limits)) {
   error_code fault;
   const auto numbers = asio::ip::make_address(address, fault);

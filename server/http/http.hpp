@@ -10,11 +10,11 @@
 #include <boost/asio/io_context.hpp>
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <string_view>
+
+#include "http/exchange.hpp"
 
 namespace foothold::server {
 
@@ -22,12 +22,6 @@ namespace foothold::server {
 class HttpError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-};
-
-struct HttpAnswer {
-  unsigned status = 200;
-  std::string type = "text/plain; charset=utf-8";
-  std::string body;
 };
 
 struct HttpLimits {
@@ -39,11 +33,8 @@ struct HttpLimits {
 // Thread rule: the loop.
 class HttpServer {
  public:
-  // `path`: of a GET or HEAD, without its query. Must not throw.
-  using Handler = std::function<HttpAnswer(std::string_view path)>;
-
   // `address`: an IPv4 or IPv6 address as numbers; `port` 0: one that is free. Throws HttpError.
-  HttpServer(boost::asio::io_context& loop, const std::string& address, std::uint16_t port, Handler handler,
+  HttpServer(boost::asio::io_context& loop, const std::string& address, std::uint16_t port, HttpHandler handler,
              HttpLimits limits = {});
   ~HttpServer();  // ends every connection; the handler is not called after it
   HttpServer(const HttpServer&) = delete;

@@ -1,38 +1,23 @@
-// What a peer sends to the port of figures and health, through a real connection: whatever it is, the server answers or closes, and
-// the handler sees clean paths only.
-#include <arpa/inet.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
+// What a peer sends to the port of figures and health: whatever it is, there is an answer or more is awaited, however it is cut
+// into pieces, and the handler sees clean paths only.
 #include "../fuzzing.hpp"
-#include "http/http.hpp"
+#include "http/exchange.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace foothold;
-  static boost::asio::io_context loop;
-  static server::HttpServer server(loop, "127.0.0.1", 0, [](std::string_view path) {
+  const auto handler = [](std::string_view path) {
     fuzz::demand(path.find_first_of("?\r\n") == std::string_view::npos, "a path is one, without its query");
     return server::HttpAnswer{};
-  });
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(server.port());
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  const int peer = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  if (peer < 0 || ::connect(peer, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) std::abort();
-  loop.poll();
-  for (std::size_t sent = 0; sent < size;) {
-    const ssize_t count = ::send(peer, data + sent, size - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
-    if (count <= 0) break;  // it has closed
-    sent += static_cast<std::size_t>(count);
-    loop.poll();
-  }
-  ::shutdown(peer, SHUT_WR);
-  loop.poll();
-  // A reset, so that no port is left waiting for a minute.
-  const linger gone{1, 0};
-  ::setsockopt(peer, SOL_SOCKET, SO_LINGER, &gone, sizeof gone);
-  ::close(peer);
-  loop.poll();
+  };
+  const std::string text = fuzz::text_of(data, size);
+  server::HttpExchange whole(8192);
+  const auto at_once = whole.take(text, handler);
+  fuzz::demand(!at_once || at_once->starts_with("HTTP/1.1 "), "an answer is HTTP");
+  const std::size_t cut = size == 0 ? 0 : data[0] % size;
+  server::HttpExchange pieces(8192);
+  auto answer = pieces.take(std::string_view(text).substr(0, cut), handler);
+  if (!answer) answer = pieces.take(std::string_view(text).substr(cut), handler);
+  // What cannot become a request may be refused before its head is whole, or then.
+  fuzz::demand(!answer || !at_once || *answer == *at_once, "an answer does not depend on how the request was cut");
   return 0;
 }

@@ -1,4 +1,4 @@
-// HTTP as a stranger may speak it: right requests, wrong ones, endless ones, too many at once. Raw sockets on the other side.
+// HTTP as a stranger may speak it: right requests, wrong ones, endless ones, in pieces, too many at once. Mostly by raw sockets.
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
@@ -169,6 +169,22 @@ TEST_F(Http, AnAddressThatIsTakenIsToldWithIt) {
     FAIL() << "two servers at one address";
   } catch (const HttpError& error) {
     EXPECT_EQ(std::string(error.what()), "127.0.0.1:" + std::to_string(port_) + ": Address already in use");
+  }
+}
+
+// However it is cut, a request has one answer: a good one's when its head is whole, a bad one's at that time at the latest.
+TEST(HttpExchange, OctetByOctetTheAnswerIsTheSame) {
+  const auto handler = [](std::string_view path) { return HttpAnswer{.body = std::string(path)}; };
+  for (const std::string request : {"GET /healthz?a HTTP/1.1\r\nHost: here\r\n\r\n", "PUT / HTTP/1.1\r\n\r\n", "no\r\n\r\n",
+                                    "GET / HTTP/1.1\r\nContent-Length: 4\r\n\r\n"}) {
+    HttpExchange whole(2048), octets(2048);
+    const auto answer = whole.take(request, handler);
+    ASSERT_TRUE(answer) << request;
+    std::optional<std::string> first;
+    std::size_t taken = 0;
+    while (!first && taken < request.size()) first = octets.take(request.substr(taken++, 1), handler);
+    EXPECT_EQ(first, answer) << request;
+    EXPECT_TRUE(taken == request.size() || answer->starts_with("HTTP/1.1 4")) << request;
   }
 }
 
