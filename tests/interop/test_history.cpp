@@ -86,10 +86,10 @@ TEST_P(HistoryOfPair, IsFullWhileAReaderLagsAndLosesNothing) {
 // A writer with two readers, of which one stands still.
 struct OneHalted {
   OneHalted(const Pair& vendors, Topic topic)
-      : halted(bus_peer(vendors.reader, "read", topic, "p")),
-        other(bus_peer(vendors.reader, "read", topic, "p")),
+      : halted(bus_peer(vendors.reader, "read", topic)),
+        other(bus_peer(vendors.reader, "read", topic)),
         bus(open_bus({.vendor = vendors.writer, .domain = test_domain()})),
-        writer(bus->writer(topic, "p")) {
+        writer(bus->writer(topic, "")) {
     const bool matched = eventually([&] { return writer->matched() == 2; });
     EXPECT_TRUE(matched && halted.wait_number(Kind::kMatched, 1) && other.wait_number(Kind::kMatched, 1));
     kill(halted.pid(), SIGSTOP);
