@@ -72,15 +72,16 @@ HttpExchange::~HttpExchange() = default;
 std::optional<std::string> HttpExchange::take(std::string_view octets, const HttpHandler& handler) {
   auto& [parser, pending] = *request_;
   pending += octets;
+  const auto with_body = [&] { return !parser.is_header_done() || parser.get().method() != http::verb::head; };
   while (!parser.is_done() && !pending.empty()) {
     error_code error;
     const std::size_t taken = parser.put(boost::asio::buffer(pending), error);
     pending.erase(0, taken);
     if (error == http::error::need_more) return std::nullopt;
-    if (error) return octets_of(complaint(error), true);
+    if (error) return octets_of(complaint(error), with_body());
   }
   if (!parser.is_done()) return std::nullopt;
-  return octets_of(answer_to(parser.get(), handler), parser.get().method() != http::verb::head);
+  return octets_of(answer_to(parser.get(), handler), with_body());
 }
 
 }  // namespace foothold::server

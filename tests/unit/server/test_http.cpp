@@ -91,6 +91,8 @@ TEST_F(Http, AHeadHasTheLengthAndNoBody) {
   const std::string answer = say("HEAD / HTTP/1.1\r\n\r\n");
   EXPECT_NE(answer.find("Content-Length: 5\r\n"), std::string::npos) << answer;
   EXPECT_TRUE(answer.ends_with("\r\n\r\n")) << answer;
+  const std::string refused = say("HEAD / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n4\r\nbody\r\n0\r\n\r\n");
+  EXPECT_TRUE(begins(refused, "HTTP/1.1 413 ") && refused.ends_with("\r\n\r\n")) << refused;
 }
 
 TEST_F(Http, ALargeAnswerArrivesWhole) {
